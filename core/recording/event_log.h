@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/run/event.h"
+
+namespace core {
+
+/// Events of a run in time order, in bounded memory: when full, the oldest half is
+/// forgotten and counted.
+class EventLog {
+ public:
+  /// @param most  events kept, ≥ 2
+  explicit EventLog(std::size_t most = 200000) : m_most(most) {}
+
+  void append(std::span<const Event> events);
+  void clear();
+  /// Forgets what happened after `time` [s].
+  void dropAfter(double time);
+
+  std::span<const Event> events() const { return m_events; }
+  std::size_t forgotten() const { return m_forgotten; }
+
+ private:
+  std::size_t m_most;
+  std::size_t m_forgotten = 0;
+  std::vector<Event> m_events;
+};
+
+}  // namespace core

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/recording/event_log.h"
+#include "core/recording/ledger.h"
+#include "core/run/run.h"
+#include "core/run/run_state.h"
+
+namespace core {
+
+/// History of one run in bounded memory: its energies, its events, and enough states to
+/// restore every recorded step exactly.
+///
+/// States are kept every so many steps; when they outgrow the budget every other one is
+/// dropped. A step between two of them is restored by taking the steps from the earlier
+/// one again, which gives the same bits because a run is deterministic. What the user cuts
+/// by hand is part of the record.
+class Recording {
+ public:
+  /// @param budget  most memory for states [bytes]; two states are kept in any case
+  explicit Recording(std::size_t budget = std::size_t{64} << 20) : m_budget(budget) {}
+
+  /// Starts anew with the run as it is now.
+  void start(const Run& run);
+
+  /// Records the step the run has just taken; call after each advance() that succeeded.
+  void record(const Run& run);
+
+  /// Cuts ropes by hand and remembers it. Everything recorded after the run's present step
+  /// is forgotten: the future is another one now.
+  void cutAll(Run& run);
+  void cut(Run& run, int weight);
+
+  /// Brings the run to that step, bit for bit as it was, with the paths of the step that
+  /// led there.
+  /// @pre firstStep() ≤ step ≤ lastStep()
+  void restore(Run& run, std::int64_t step) const;
+
+  std::int64_t firstStep() const { return m_firstStep; }
+  std::int64_t lastStep() const { return m_lastStep; }
+
+  const Ledger& ledger() const { return m_ledger; }
+  const EventLog& eventLog() const { return m_events; }
+
+ private:
+  struct HandCut {
+    std::int64_t step;
+    int weight;  // −1: all
+  };
+
+  void keep(const Run& run);
+  void forgetAfter(const Run& run);
+
+  std::size_t m_budget;
+  std::size_t m_stateBytes = 0;
+  std::int64_t m_stride = 1;  // steps between kept states
+  std::int64_t m_firstStep = 0;
+  std::int64_t m_lastStep = 0;
+  std::map<std::int64_t, RunState> m_states;
+  std::vector<HandCut> m_cuts;
+  Ledger m_ledger;
+  EventLog m_events;
+};
+
+}  // namespace core

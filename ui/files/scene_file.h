@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+#include "core/scene/scene.h"
+
+namespace ui {
+
+/// A scene, or one line that names the place in the file and what is wrong there.
+struct SceneOrError {
+  std::optional<core::Scene> scene;
+  QString error;
+};
+
+/// Reads the text of a scene file (format: "angry-cuts/scene", version 1). Refuses the
+/// whole text for any fault; a refused text has no scene.
+SceneOrError parseScene(const QByteArray& text);
+
+/// Reads a scene file of at most 64 MiB.
+SceneOrError readSceneFile(const QString& file);
+
+/// The scene as a file's text: UTF-8 JSON, indented, every value written so that it reads
+/// back to the same double.
+QByteArray sceneText(const core::Scene& scene);
+
+/// Writes a scene file, whole or not at all.
+/// @return empty, or what went wrong in words
+QString writeSceneFile(const QString& file, const core::Scene& scene);
+
+/// Names of the built-in scenes, in menu order, such as "seven-weights".
+QStringList builtInScenes();
+/// @pre `name` is one of builtInScenes()
+core::Scene builtInScene(const QString& name);
+
+/// A file, or the name of a built-in scene.
+SceneOrError readFileOrBuiltIn(const QString& fileOrName);
+
+}  // namespace ui

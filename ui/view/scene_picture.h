@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include <QSize>
+#include <QString>
+
+namespace core {
+class Run;
+}
+
+namespace ui {
+
+/// Draws the runs at one moment into a file, with no display needed: a light picture for
+/// paper, in PNG, SVG or PDF by the file's ending. Never leaves a half-written file.
+///
+/// @param runs  of one scene, the first filled, the others as outlines
+/// @param time  [s], inside the latest step of every run
+/// @param size  of the picture in px at 96 dpi; PNG is written at twice that
+/// @return      empty, or what went wrong in words
+QString writeScenePicture(const QString& file, const std::vector<const core::Run*>& runs,
+                          double time, QSize size = QSize(1200, 900));
+
+}  // namespace ui

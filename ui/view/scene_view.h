@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QString>
+#include <QWidget>
+
+#include "ui/style/theme.h"
+
+namespace core {
+class Run;
+}
+
+namespace ui {
+
+/// Which painter draws the scene.
+enum class PainterChoice {
+  kAutomatic,  ///< OpenGL 3.3 where it is real hardware, else QPainter
+  kOpenGl,     ///< OpenGL 3.3 wherever it works, software too
+  kQPainter,
+};
+
+/// The room with its weights, ropes and trails. Draws runs; computes no physics.
+///
+/// The wheel zooms at the pointer, dragging pans, a double click fits the room.
+class SceneView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// Shows these runs of one scene from now on, the first with filled weights, the others
+  /// as outlines. Forgets all trails; fits the room when its size is another one than
+  /// before. The runs must outlive the view or the next call.
+  void setRuns(std::vector<const core::Run*> runs);
+
+  /// Draws the runs at this moment; call once per frame.
+  /// @param time  [s], inside the latest step of every run
+  void showTime(double time);
+
+  /// Forgets the trails, for jumps in time.
+  void clearTrails();
+  void setTrailsShown(bool shown);
+
+  void setPainterChoice(PainterChoice choice);
+  /// What draws now, in words for the status bar: "OpenGL 4.5 (llvmpipe)" or "QPainter
+  /// (software OpenGL would be slower)".
+  QString painterDescription() const;
+
+ public slots:
+  void fitRoom();
+
+ signals:
+  /// Another painter draws from now on, by choice or because OpenGL was lost.
+  void painterChanged();
+
+ private:
+  class Content;
+  std::unique_ptr<Content> m_content;
+};
+
+}  // namespace ui
