@@ -103,6 +103,7 @@ void ChartExportTest::writesPngAt300DotsPerInch() {
   QCOMPARE(image.dotsPerMeterX(), 11811);     // 300 / 0.0254
   QCOMPARE(image.dotsPerMeterY(), 11811);
   QVERIFY(hasWhiteBorder(image, 12));  // nothing is cut off
+  QVERIFY(!hasWhiteBorder(image.copy(image.width() * 9 / 10, 0, 180, image.height()), 40));
   QVERIFY(contains(image, ui::Theme::light().potential));
   QVERIFY(contains(image, ui::Theme::light().total));
 }

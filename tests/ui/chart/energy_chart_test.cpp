@@ -182,8 +182,7 @@ void EnergyChartTest::leavesCurvesAloneWhenNothingChanged() {
   chart.setRuns({{&ledger, "RK4"}});
   QSignalSpy replaced(curveNamed(chart, "Total, RK4"), &QLineSeries::pointsReplaced);
   for (int i = 0; i < 10; ++i) chart.refresh();
-  QTest::qWait(0);
-  QCOMPARE(replaced.size(), 0);
+  QVERIFY(!replaced.wait(60));  // longer than a refresh may be put off
 }
 
 void EnergyChartTest::drawsWhatItMissedWhileHidden() {
