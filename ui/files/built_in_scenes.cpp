@@ -1,4 +1,4 @@
-#include <QFile>
+#include <QFileInfo>
 
 #include "ui/files/scene_file.h"
 
@@ -25,7 +25,7 @@ core::Scene builtInScene(const QString& name) {
 
 SceneOrError readFileOrBuiltIn(const QString& fileOrName) {
   // A file of that name comes first: it is the user's own.
-  if (!QFile::exists(fileOrName) && builtInScenes().contains(fileOrName)) {
+  if (!QFileInfo(fileOrName).isFile() && builtInScenes().contains(fileOrName)) {
     return {builtInScene(fileOrName), {}};
   }
   return readSceneFile(fileOrName);

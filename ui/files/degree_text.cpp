@@ -1,13 +1,13 @@
 #include "ui/files/degree_text.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <system_error>
 
-#include <QtMath>
-
+#include "core/scene/angle.h"
 #include "core/scene/scene_limits.h"
 
 namespace ui {
@@ -25,13 +25,6 @@ std::optional<Number> parsed(std::string_view text) {
   return number;
 }
 
-std::string textOf(long double number, int digits) {
-  char text[64];
-  const auto [end, error] =
-      std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits);
-  return {text, end};
-}
-
 }  // namespace
 
 std::optional<double> numberFromText(std::string_view text) {
@@ -39,21 +32,21 @@ std::optional<double> numberFromText(std::string_view text) {
 }
 
 double radiansFromDegreeText(std::string_view text) {
-  if (text.size() <= kLongestDouble) return qDegreesToRadians(*parsed<double>(text));
+  if (text.size() <= kLongestDouble) return core::radians(*parsed<double>(text));
   constexpr long double kRadiansPerDegree = std::numbers::pi_v<long double> / 180;
   return static_cast<double>(*parsed<long double>(text) * kRadiansPerDegree);
 }
 
 std::string degreeText(double radians) {
-  // Most angles were set in degrees: the first digits that lead back are the ones set.
-  const double nearest = qRadiansToDegrees(radians);
-  for (const int digits : {6, 10, 15, 16, 17}) {
-    const double rounded = parsed<double>(textOf(nearest, digits)).value_or(nearest);
-    std::string text = core::numberText(rounded);
-    if (radiansFromDegreeText(text) == radians) return text;
-  }
+  std::string text = core::numberText(core::degrees(radians));
+  if (radiansFromDegreeText(text) == radians) return text;
+
   constexpr long double kDegreesPerRadian = 180 / std::numbers::pi_v<long double>;
-  return textOf(radians * kDegreesPerRadian, std::numeric_limits<long double>::max_digits10);
+  std::array<char, 64> digits;
+  const auto [end, error] =
+      std::to_chars(digits.begin(), digits.end(), radians * kDegreesPerRadian,
+                    std::chars_format::general, std::numeric_limits<long double>::max_digits10);
+  return {digits.begin(), end};
 }
 
 }  // namespace ui

@@ -4,8 +4,8 @@
 
 #include <QCoreApplication>
 #include <QFile>
-#include <QSaveFile>
 
+#include "ui/files/output_file.h"
 #include "ui/files/scene_reader.h"
 #include "ui/files/scene_writer.h"
 
@@ -50,10 +50,9 @@ QByteArray sceneText(const core::Scene& scene) {
 }
 
 QString writeSceneFile(const QString& file, const core::Scene& scene) {
-  QSaveFile output(file);
-  if (!output.open(QIODevice::WriteOnly)) return output.errorString();
-  output.write(sceneText(scene));
-  return output.commit() ? QString() : output.errorString();
+  OutputFile output;
+  if (output.open(file) && output.write(writtenScene(scene))) output.finish();
+  return output.error();
 }
 
 }  // namespace ui

@@ -222,7 +222,12 @@ core::Solver SceneReader::readSolver() {
 std::string SceneReader::readMethod() {
   std::string method = readString();
   if (!core::findMethod(method)) {
-    refuse({m_place, core::Problem::Kind::kUnknownMethod, 0, {0, 0, ""}, -1, method});
+    refuse({m_place,
+            core::Problem::Kind::kUnknownMethod,
+            0,
+            {0, 0, ""},
+            -1,
+            quoted(method).toStdString()});
   }
   return method;
 }
