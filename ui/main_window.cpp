@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStatusBar>
@@ -62,7 +63,8 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
       m_view(new SceneView),
       m_playback(new PlaybackBar(*m_commands)),
       m_energy(new EnergyPanel(m_controller)) {
-  m_exports = new Exports(m_controller, [this] { return m_energy->chosenRuns(); }, this);
+  m_exports = new Exports(
+      m_controller, [this] { return m_energy->chosenRuns(); }, this);
   m_appearance->setChoice(Settings().theme());
   setWindowIcon(icon("angrycuts"));
   resize(kFirstSize);
@@ -97,8 +99,8 @@ void MainWindow::buildCentre() {
 void MainWindow::buildPanels() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
-  QDockWidget* scene = addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"),
-                                scrolling(new SceneForm(m_editor)));
+  QDockWidget* scene =
+      addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
   QDockWidget* weights = addPanel(Qt::LeftDockWidgetArea, "weights", tr("Weights"),
                                   scrolling(new WeightsForm(m_editor)));
   QDockWidget* runs =
@@ -206,8 +208,7 @@ void MainWindow::connectView() {
           &SceneView::setTrailsShown);
   connect(m_commands->action(Command::kFit), &QAction::triggered, m_view, &SceneView::fitRoom);
   connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneView::zoomIn);
-  connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view,
-          &SceneView::zoomOut);
+  connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneView::zoomOut);
   connect(m_view, &SceneView::painterChanged, this, &MainWindow::showPainter);
   m_view->setPainterChoice(Settings().painter());
   showPainter();
@@ -236,15 +237,15 @@ void MainWindow::showStopped() {
 
 void MainWindow::showProblems() {
   const auto& problems = m_editor->problems();
-  m_problemBar->say(problems.empty() ? QString()
-                                     : tr("%1 The scene goes on as it was until that is mended.")
-                                           .arg(problemWords(problems)));
+  m_problemBar->say(
+      problems.empty()
+          ? QString()
+          : tr("%1 The scene goes on as it was until that is mended.").arg(problemWords(problems)));
 }
 
 void MainWindow::showTitle() {
-  const QString name = m_files->file().isEmpty()
-                           ? QString::fromStdString(m_editor->scene()->name)
-                           : QFileInfo(m_files->file()).fileName();
+  const QString name = m_files->file().isEmpty() ? QString::fromStdString(m_editor->scene()->name)
+                                                 : QFileInfo(m_files->file()).fileName();
   setWindowTitle(tr("%1[*] – Angry Cuts").arg(name.isEmpty() ? tr("New scene") : name));
 }
 

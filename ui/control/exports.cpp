@@ -57,7 +57,9 @@ void Exports::askAndSaveLedger(int run) {
   if (!file.isEmpty()) saveLedger(file, run);
 }
 
-QString Exports::sceneName() const { return QString::fromStdString(m_controller->scene().name); }
+QString Exports::sceneName() const {
+  return QString::fromStdString(m_controller->scene().name);
+}
 
 QString Exports::suggested(const QString& what, const QString& ending) const {
   return fileNameFrom(sceneName()) + '-' + what + '.' + ending;

@@ -22,14 +22,14 @@ QString askWhereToSave(QWidget* window, const QString& title, const QString& sug
   dialog.setNameFilters(kinds);
   dialog.setDefaultSuffix(endingOf(kinds.first()));
   dialog.selectFile(suggestedFile);
-  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& kind) {
-    dialog.setDefaultSuffix(endingOf(kind));
-  });
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                   [&dialog](const QString& kind) { dialog.setDefaultSuffix(endingOf(kind)); });
   return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
 QString fileNameFrom(const QString& words) {
-  static const QRegularExpression kOther(R"([^\w-]+)", QRegularExpression::UseUnicodePropertiesOption);
+  static const QRegularExpression kOther(R"([^\w-]+)",
+                                         QRegularExpression::UseUnicodePropertiesOption);
   QString name = words.trimmed().toLower();
   name.replace(kOther, QStringLiteral("-"));
   return name.isEmpty() ? QCoreApplication::translate("ui::FileDialog", "scene") : name;

@@ -20,7 +20,9 @@ std::optional<double> parsedNumber(QString text) {
   return value;
 }
 
-double inShownDigits(double value) { return QString::number(value, 'g', kShownDigits).toDouble(); }
+double inShownDigits(double value) {
+  return QString::number(value, 'g', kShownDigits).toDouble();
+}
 
 /// A space before the unit, except before the degree sign.
 QString withUnit(const QString& number, std::string_view unit) {

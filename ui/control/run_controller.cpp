@@ -8,10 +8,10 @@
 namespace ui {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;          // s
-constexpr double kPlayingBudget = 0.012;     // s of work per frame: leaves 4 ms for drawing
-constexpr double kSteppingBudget = 0.25;     // s: a single step may take a noticeable while
-constexpr double kSameMoment = 1e-9;         // of a step: sums of steps differ in last digits
+constexpr double kFrame = 1.0 / 60;       // s
+constexpr double kPlayingBudget = 0.012;  // s of work per frame: leaves 4 ms for drawing
+constexpr double kSteppingBudget = 0.25;  // s: a single step may take a noticeable while
+constexpr double kSameMoment = 1e-9;      // of a step: sums of steps differ in last digits
 
 double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -55,7 +55,9 @@ void RunController::setScene(std::shared_ptr<const core::Scene> scene) {
   noteCut();
 }
 
-const core::Run& RunController::run(int index) const { return m_lanes[index]->run; }
+const core::Run& RunController::run(int index) const {
+  return m_lanes[index]->run;
+}
 
 const core::Recording& RunController::recording(int index) const {
   return m_lanes[index]->recording;
@@ -78,7 +80,9 @@ bool RunController::canCut() const {
   });
 }
 
-double RunController::keptShare() const { return m_playing ? m_clock.keptShare() : 1; }
+double RunController::keptShare() const {
+  return m_playing ? m_clock.keptShare() : 1;
+}
 
 void RunController::passTime(double elapsed) {
   if (m_playing) advanceTo(m_clock.targetAfter(elapsed), kPlayingBudget);
@@ -137,11 +141,17 @@ double RunController::shownTime(double target) const {
   return std::min(target, canGoOn() ? earliest : last);
 }
 
-void RunController::play() { setPlaying(canGoOn()); }
+void RunController::play() {
+  setPlaying(canGoOn());
+}
 
-void RunController::pause() { setPlaying(false); }
+void RunController::pause() {
+  setPlaying(false);
+}
 
-void RunController::togglePlaying() { m_playing ? pause() : play(); }
+void RunController::togglePlaying() {
+  m_playing ? pause() : play();
+}
 
 void RunController::setPlaying(bool playing) {
   if (playing == m_playing) return;
@@ -151,14 +161,13 @@ void RunController::setPlaying(bool playing) {
 
 void RunController::stepOnce() {
   pause();
-  const auto first = std::find_if(m_lanes.begin(), m_lanes.end(),
-                                  [](const auto& lane) { return lane->goesOn(); });
+  const auto first =
+      std::find_if(m_lanes.begin(), m_lanes.end(), [](const auto& lane) { return lane->goesOn(); });
   if (first == m_lanes.end()) return;
   const core::Run& run = (*first)->run;
   const double step = run.solver().step;
   const bool isAtStepEnd = run.time() - time() <= kSameMoment * step;
-  const double stepEnd =
-      isAtStepEnd ? static_cast<double>(run.stepCount() + 1) * step : run.time();
+  const double stepEnd = isAtStepEnd ? static_cast<double>(run.stepCount() + 1) * step : run.time();
   m_clock.reset(stepEnd);
   advanceTo(stepEnd, kSteppingBudget);
 }

@@ -74,7 +74,9 @@ void SceneFiles::take(core::Scene scene, const QString& file) {
   setFile(file);
 }
 
-bool SceneFiles::save() { return m_file.isEmpty() ? saveAs() : saveTo(m_file); }
+bool SceneFiles::save() {
+  return m_file.isEmpty() ? saveAs() : saveTo(m_file);
+}
 
 bool SceneFiles::saveAs() {
   const QString name = QString::fromStdString(m_editor->scene()->name);

@@ -1,8 +1,7 @@
 #include "ui/files/ledger_file.h"
 
-#include <QSaveFile>
-
 #include "core/recording/csv.h"
+#include "ui/files/output_file.h"
 
 namespace ui {
 
@@ -11,10 +10,9 @@ QString writeLedgerFile(const QString& file, const core::Ledger& ledger) {
   for (const core::EnergySample& sample : ledger.samples()) {
     core::appendEnergyRow(csv, sample.time, sample.energies);
   }
-  QSaveFile output(file);
-  if (!output.open(QIODevice::WriteOnly)) return output.errorString();
-  output.write(csv.data(), static_cast<qint64>(csv.size()));
-  return output.commit() ? QString() : output.errorString();
+  OutputFile output;
+  output.open(file) && output.write(csv) && output.finish();
+  return output.error();
 }
 
 }  // namespace ui

@@ -40,7 +40,9 @@ void EnergyPanel::listRuns() {
   showChosen();
 }
 
-void EnergyPanel::showChosen() { m_chart->setRuns(chosenRuns()); }
+void EnergyPanel::showChosen() {
+  m_chart->setRuns(chosenRuns());
+}
 
 std::vector<ChartedRun> EnergyPanel::chosenRuns() const {
   const int chosen = m_chooser->currentIndex() - 1;
@@ -50,7 +52,9 @@ std::vector<ChartedRun> EnergyPanel::chosenRuns() const {
   return runs;
 }
 
-void EnergyPanel::choose(int run) { m_chooser->setCurrentIndex(run + 1); }
+void EnergyPanel::choose(int run) {
+  m_chooser->setCurrentIndex(run + 1);
+}
 
 ChartedRun EnergyPanel::charted(int run) const {
   return {&m_controller->recording(run).ledger(), runWords(m_controller->run(run).solver())};

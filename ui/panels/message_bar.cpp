@@ -38,7 +38,9 @@ void MessageBar::say(const QString& message) {
   setVisible(!message.isEmpty());
 }
 
-QString MessageBar::message() const { return m_text->text(); }
+QString MessageBar::message() const {
+  return m_text->text();
+}
 
 void MessageBar::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);

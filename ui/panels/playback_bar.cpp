@@ -21,15 +21,17 @@ namespace {
 constexpr int kSlowest = -4;
 constexpr int kFastest = 2;
 
-constexpr double kTimeType = 2.2;      // times the base type
-constexpr double kMostlyKept = 0.97;   // of the speed: less is noticed and shown
+constexpr double kTimeType = 2.2;     // times the base type
+constexpr double kMostlyKept = 0.97;  // of the speed: less is noticed and shown
 constexpr QSize kIconSize(28, 28);
 
 int exponentOf(double speed) {
   return std::clamp(static_cast<int>(std::lround(std::log2(speed))), kSlowest, kFastest);
 }
 
-QString speedText(double speed) { return fractionText(speed) + QStringLiteral("×"); }
+QString speedText(double speed) {
+  return fractionText(speed) + QStringLiteral("×");
+}
 
 QToolButton* buttonFor(QAction* action) {
   auto* button = new QToolButton;

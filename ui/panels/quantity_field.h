@@ -48,8 +48,8 @@ class QuantityField : public QWidget {
   void takeTyped();
   void showCurrent();
 
-  double m_shownPerValue;          // degrees per radian, or 1
-  std::optional<double> m_value;   
+  double m_shownPerValue;  // degrees per radian, or 1
+  std::optional<double> m_value;
   bool m_holdsBadText = false;
   QString m_reason;
   QuantitySpinBox* m_spinBox;

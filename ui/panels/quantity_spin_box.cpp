@@ -43,7 +43,9 @@ void QuantitySpinBox::showValue(double value) {
   setShownText(number + space + unit());
 }
 
-void QuantitySpinBox::showNone() { setShownText({}); }
+void QuantitySpinBox::showNone() {
+  setShownText({});
+}
 
 void QuantitySpinBox::setEmptyWords(const QString& words) {
   lineEdit()->setPlaceholderText(words);
@@ -67,7 +69,9 @@ double QuantitySpinBox::stepped(double value, int steps) const {
   const double multiples = value / m_style.arrowStep;
   const double nearest = std::round(multiples);
   const bool isMultiple = std::abs(multiples - nearest) < 1e-6;
-  const double start = isMultiple ? nearest : steps > 0 ? std::floor(multiples) : std::ceil(multiples);
+  const double start = isMultiple  ? nearest
+                       : steps > 0 ? std::floor(multiples)
+                                   : std::ceil(multiples);
   return (start + steps) * m_style.arrowStep;
 }
 

@@ -45,7 +45,8 @@ RunsForm::RunsForm(SceneEditor* editor, QWidget* parent) : Form(editor, parent) 
 }
 
 void RunsForm::addRun(int index) {
-  Row row{new QCheckBox(tr("Run %1").arg(index + 1)), new QComboBox,
+  Row row{new QCheckBox(tr("Run %1").arg(index + 1)),
+          new QComboBox,
           new QuantityField({.range = core::kStepRange, .arrowsDouble = true}),
           {.method = std::string(core::methods().front().id)}};
   for (const core::Method& method : core::methods()) {
@@ -66,9 +67,8 @@ void RunsForm::addRun(int index) {
   const auto read = [=, this](const core::Scene& scene) -> std::optional<double> {
     return isShown(scene, index) ? scene.solvers[index].step : m_runs[index].latest.step;
   };
-  bind(row.step, read, [index](core::Scene& scene, double step) {
-    scene.solvers[index].step = step;
-  });
+  bind(row.step, read,
+       [index](core::Scene& scene, double step) { scene.solvers[index].step = step; });
   paintMarks();
 }
 
@@ -83,9 +83,7 @@ void RunsForm::setShown(int index, bool shown) {
 }
 
 void RunsForm::setMethod(int index, const QString& id) {
-  editor()->change([&](core::Scene& draft) {
-    draft.solvers[index].method = id.toStdString();
-  });
+  editor()->change([&](core::Scene& draft) { draft.solvers[index].method = id.toStdString(); });
 }
 
 void RunsForm::showDraft() {

@@ -80,8 +80,7 @@ void SceneForm::addCut() {
   m_cutTime->spinBox()->setEmptyWords(tr("by hand"));
   rows()->addRow(m_cutByClock, m_cutTime);
   bind(
-      m_cutTime,
-      [](const core::Scene& scene) { return scene.cutTime; },
+      m_cutTime, [](const core::Scene& scene) { return scene.cutTime; },
       [](core::Scene& scene, double time) { scene.cutTime = time; });
   connect(m_cutByClock, &QCheckBox::toggled, this, &SceneForm::setCutByClock);
 }

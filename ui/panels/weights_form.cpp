@@ -34,7 +34,9 @@ WeightsForm::WeightsForm(SceneEditor* editor, QWidget* parent)
   WeightsForm::showDraft();
 }
 
-void WeightsForm::choose(int number) { m_chooser->setValue(number); }
+void WeightsForm::choose(int number) {
+  m_chooser->setValue(number);
+}
 
 void WeightsForm::addChooser() {
   m_chooser->setSpecialValueText(tr("All"));
@@ -48,13 +50,11 @@ void WeightsForm::addChooser() {
 void WeightsForm::addRopeRows() {
   addHeading(tr("Rope"));
   m_ropeLength =
-      addWeightQuantity(tr("Length"), {core::kRopeLengthRange, 0.05}, [](core::Weight& weight) {
-        return ropePart(weight, &core::Rope::length);
-      });
+      addWeightQuantity(tr("Length"), {core::kRopeLengthRange, 0.05},
+                        [](core::Weight& weight) { return ropePart(weight, &core::Rope::length); });
   m_ropeAngle =
-      addWeightQuantity(tr("Start angle"), {core::kRopeAngleRange, 5}, [](core::Weight& weight) {
-        return ropePart(weight, &core::Rope::angle);
-      });
+      addWeightQuantity(tr("Start angle"), {core::kRopeAngleRange, 5},
+                        [](core::Weight& weight) { return ropePart(weight, &core::Rope::angle); });
 }
 
 void WeightsForm::addBodyRows() {

@@ -30,8 +30,8 @@ void Appearance::setChoice(ThemeChoice choice) {
 }
 
 void Appearance::apply() {
-  const bool dark = m_choice == ThemeChoice::kDark ||
-                    (m_choice == ThemeChoice::kDesktop && m_desktop->isDark());
+  const bool dark =
+      m_choice == ThemeChoice::kDark || (m_choice == ThemeChoice::kDesktop && m_desktop->isDark());
   QApplication::setPalette(paletteOf(dark ? Theme::darkTheme() : Theme::light()));
 }
 
