@@ -13,12 +13,11 @@ QString writeEnergyChart(const QString& file, const std::vector<ChartedRun>& run
   QGraphicsScene scene;
   auto* chart = new QChart;
   scene.addItem(chart);
-  chart->resize(paperSize(size));
   auto* plot = new EnergyPlot(chart);
   plot->setTitle(caption.title, caption.note);
   plot->setLook(ChartLook::forPaper());
   plot->setRuns(runs);
-  return writeChart(*chart, file, size);
+  return writeChart(*chart, file, caption.title, size);
 }
 
 }  // namespace ui

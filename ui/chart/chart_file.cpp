@@ -15,16 +15,22 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 
+#include "ui/chart/chart_look.h"
+
 namespace ui {
 
 namespace {
 
 constexpr double kMillimetersPerInch = 25.4;
-constexpr int kSceneDotsPerInch = 96;
-constexpr int kPngDotsPerInch = 300;
+constexpr int kPngDotsPerInch = 2 * kPaperDotsPerInch;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("ChartFile", text);
+}
+
+/// Of the chart in its scene [px].
+QSizeF paperSize(QSizeF millimeters) {
+  return millimeters * kPaperDotsPerInch / kMillimetersPerInch;
 }
 
 void paint(QChart& chart, QPaintDevice& device, const QRectF& target) {
@@ -33,7 +39,7 @@ void paint(QChart& chart, QPaintDevice& device, const QRectF& target) {
   chart.scene()->render(&painter, target, chart.sceneBoundingRect());
 }
 
-QByteArray png(QChart& chart, QSizeF size) {
+QByteArray png(QChart& chart, const QString&, QSizeF size) {
   const QSizeF pixels = size * kPngDotsPerInch / kMillimetersPerInch;
   QImage image(pixels.toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -48,21 +54,21 @@ QByteArray png(QChart& chart, QSizeF size) {
   return bytes;
 }
 
-QByteArray svg(QChart& chart, QSizeF size) {
+QByteArray svg(QChart& chart, const QString& title, QSizeF size) {
   const QRectF area(QPointF(0, 0), paperSize(size));
   QByteArray bytes;
   QBuffer buffer(&bytes);
   QSvgGenerator generator;
   generator.setOutputDevice(&buffer);
-  generator.setResolution(kSceneDotsPerInch);
+  generator.setResolution(kPaperDotsPerInch);
   generator.setSize(area.size().toSize());
   generator.setViewBox(area);
-  generator.setTitle(chart.title());
+  generator.setTitle(title);
   paint(chart, generator, area);
   return bytes;
 }
 
-QByteArray pdf(QChart& chart, QSizeF size) {
+QByteArray pdf(QChart& chart, const QString& title, QSizeF size) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -70,7 +76,7 @@ QByteArray pdf(QChart& chart, QSizeF size) {
   writer.setPageSize(QPageSize(size, QPageSize::Millimeter));
   writer.setPageMargins(QMarginsF());
   writer.setCreator(QCoreApplication::applicationName());
-  writer.setTitle(chart.title());
+  writer.setTitle(title);
   paint(chart, writer, QRectF(0, 0, writer.width(), writer.height()));
   return bytes;
 }
@@ -84,11 +90,7 @@ QString writeWhole(const QString& file, const QByteArray& bytes) {
 
 }  // namespace
 
-QSizeF paperSize(QSizeF millimeters) {
-  return millimeters * kSceneDotsPerInch / kMillimetersPerInch;
-}
-
-QString writeChart(QChart& chart, const QString& file, QSizeF size) {
+QString writeChart(QChart& chart, const QString& file, const QString& title, QSizeF size) {
   const QString ending = QFileInfo(file).suffix().toLower();
   const auto encoded = ending == "png"   ? png
                        : ending == "svg" ? svg
@@ -99,8 +101,7 @@ QString writeChart(QChart& chart, const QString& file, QSizeF size) {
   }
   chart.resize(paperSize(size));
   chart.layout()->activate();
-  QCoreApplication::sendPostedEvents();
-  return writeWhole(file, encoded(chart, size));
+  return writeWhole(file, encoded(chart, title, size));
 }
 
 }  // namespace ui

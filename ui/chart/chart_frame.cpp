@@ -34,6 +34,8 @@ ChartFrame::ChartFrame(QChart* chart)
       m_heading(new ChartHeading(chart)) {
   chart->legend()->hide();
   chart->layout()->setContentsMargins(0, 0, 0, 0);
+  // Else the chart keeps the size that a heading in a narrower chart made it need.
+  chart->setMinimumSize(1, 1);
   chart->setLocalizeNumbers(true);
   chart->setLocale(QLocale());
   connect(chart, &QChart::geometryChanged, this, [this] {
@@ -70,8 +72,9 @@ void ChartFrame::setVertical(const NiceScale& scale, const QString& title) {
   showScale(*m_vertical, scale, title);
 }
 
-QLineSeries* ChartFrame::addCurve() {
+QLineSeries* ChartFrame::addCurve(const QString& name) {
   auto* curve = new QLineSeries;
+  curve->setName(name);
   m_chart->addSeries(curve);
   curve->attachAxis(m_horizontal);
   curve->attachAxis(m_vertical);
@@ -84,19 +87,27 @@ void ChartFrame::removeCurves() {
 
 int ChartFrame::horizontalIntervals() const {
   constexpr double kLabel = 5.5;  // in multiples of the font's size, with room beside it
-  constexpr double kBesidePlot = 6;
-  const double size = m_look.font.pixelSize();
-  return std::clamp(static_cast<int>((m_chart->size().width() / size - kBesidePlot) / kLabel), 1,
-                    10);
+  const double labels = plotSize().width() / (kLabel * m_look.font.pixelSize());
+  return std::clamp(static_cast<int>(labels), 1, 10);
 }
 
 int ChartFrame::verticalIntervals() const {
   constexpr double kLabel = 2.2;
-  constexpr double kBelowPlot = 4;
-  const double size = m_look.font.pixelSize();
-  const double above = m_heading->boundingRect().height();
-  const double height = (m_chart->size().height() - above) / size - kBelowPlot;
-  return std::clamp(static_cast<int>(height / kLabel), 1, 8);
+  const double labels = plotSize().height() / (kLabel * m_look.font.pixelSize());
+  return std::clamp(static_cast<int>(labels), 1, 8);
+}
+
+QSizeF ChartFrame::unitSize() const {
+  const QSizeF size = plotSize();
+  return {size.width() / (m_horizontal->max() - m_horizontal->min()),
+          size.height() / (m_vertical->max() - m_vertical->min())};
+}
+
+/// Before the chart has laid itself out, from what stands around the plot.
+QSizeF ChartFrame::plotSize() const {
+  constexpr QSizeF kAxes(5, 4);  // in multiples of the font's size
+  const QMarginsF margins = m_chart->margins();
+  return m_chart->size().shrunkBy(margins) - kAxes * m_look.font.pixelSize();
 }
 
 void ChartFrame::layOut() {
@@ -104,7 +115,7 @@ void ChartFrame::layOut() {
   m_heading->setPos(padding, padding);
   const double height = m_heading->layOut(m_chart->size().width() - 2 * padding);
   // On the right half a label stands out over the last tick.
-  const QMargins margins(padding, qRound(height) + 2 * padding, 2 * padding, padding);
+  const QMargins margins(padding, qRound(height) + 3 * padding / 2, 2 * padding, padding);
   if (m_chart->margins() != margins) m_chart->setMargins(margins);
 }
 

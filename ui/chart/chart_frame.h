@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QSizeF>
 #include <QString>
 
 #include "ui/chart/chart_heading.h"
@@ -30,12 +31,14 @@ class ChartFrame : public QObject {
   void setVertical(const NiceScale& scale, const QString& title);
 
   /// A new curve along both axes; belongs to the chart.
-  QLineSeries* addCurve();
+  QLineSeries* addCurve(const QString& name);
   void removeCurves();
 
   /// Most intervals between labels that have room at the present size.
   int horizontalIntervals() const;
   int verticalIntervals() const;
+  /// About the size of one unit of both axes [px].
+  QSizeF unitSize() const;
 
  signals:
   /// The chart has another size: other scales may fit better.
@@ -43,6 +46,7 @@ class ChartFrame : public QObject {
 
  private:
   void layOut();
+  QSizeF plotSize() const;
   QValueAxis* addAxis(Qt::Alignment side);
 
   QChart* m_chart;  // the parent

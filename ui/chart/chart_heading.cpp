@@ -10,14 +10,19 @@ namespace ui {
 
 namespace {
 
+constexpr int kInRow = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine;
 constexpr int kWrapped = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+constexpr double kUnlimited = 1e4;
+constexpr double kMarkOutline = 2;
 
 // In multiples of the font's size.
+constexpr double kTitleSize = 1.2;
 constexpr double kRowHeight = 1.45;
+constexpr double kTextGap = 0.2;
 constexpr double kMarkSize = 0.75;
-constexpr double kLineLength = 2.1;
+constexpr double kLineLength = 1.8;
 constexpr double kSmallGap = 0.4;
-constexpr double kLargeGap = 1.3;
+constexpr double kLargeGap = 1;
 
 }  // namespace
 
@@ -36,12 +41,14 @@ double ChartHeading::layOut(double width) {
   prepareGeometryChange();
   m_pieces.clear();
   m_bounds = QRectF(0, 0, width, 0);
+  m_rowEnd = 0;
   QFont titleFont = m_look.font;
   titleFont.setBold(true);
-  titleFont.setPixelSize(qRound(1.2 * em()));
+  titleFont.setPixelSize(qRound(kTitleSize * em()));
   placeText(m_content.title, titleFont, m_look.theme.text);
   placeText(m_content.note, m_look.font, m_look.theme.faintText);
-  placeGroups();
+  placeLegend();
+  placeRuns();
   placeText(m_content.warning, m_look.font, m_look.theme.drift);
   update();
   return m_bounds.height();
@@ -49,61 +56,79 @@ double ChartHeading::layOut(double width) {
 
 void ChartHeading::placeText(const QString& text, const QFont& font, const QColor& color) {
   if (text.isEmpty()) return;
-  const QRectF space(0, m_bounds.bottom(), m_bounds.width(), 1e4);
+  const QRectF space(0, m_bounds.bottom(), m_bounds.width(), kUnlimited);
   QRectF place = QFontMetricsF(font).boundingRect(space, kWrapped, text);
   place.setWidth(m_bounds.width());
-  m_pieces.push_back({place, nullptr, text, font, color});
-  m_bounds.setBottom(place.bottom() + kSmallGap * em() / 2);
+  m_pieces.push_back({place, nullptr, text, font, color, kWrapped});
+  m_bounds.setBottom(place.bottom() + kTextGap * em());
 }
 
-void ChartHeading::placeGroups() {
-  const bool oneRow = widthInOneRow() <= m_bounds.width();
-  double x = 0;
-  double y = m_bounds.bottom();
-  for (const std::vector<HeadingEntry>& group : m_content.groups) {
-    if (x > 0 && !oneRow) {
-      x = 0;
-      y += rowHeight();
-    }
-    for (const HeadingEntry& entry : group) {
-      for (Piece& piece : piecesOf(entry)) {
-        if (x > 0 && x + piece.place.width() > m_bounds.width()) {
-          x = 0;
-          y += rowHeight();
-        }
-        piece.place.moveTo(x, y);
-        x = piece.place.right() + kSmallGap * em();
-        m_pieces.push_back(piece);
-      }
-      x += (kLargeGap - kSmallGap) * em();
-    }
+void ChartHeading::beginRow() {
+  m_bounds.setBottom(m_bounds.bottom() + rowHeight());
+  m_rowEnd = 0;
+}
+
+void ChartHeading::placeLegend() {
+  if (!m_content.legend.empty()) beginRow();
+  for (const HeadingEntry& entry : m_content.legend) {
+    const bool fits = m_rowEnd + widthInOneRow({entry}) <= m_bounds.width();
+    if (m_rowEnd > 0 && !fits) beginRow();
+    placeEntry(entry, m_rowEnd + labelWidth(entry));
   }
-  m_bounds.setBottom(x > 0 ? y + rowHeight() : y);
 }
 
-std::vector<ChartHeading::Piece> ChartHeading::piecesOf(const HeadingEntry& entry) const {
-  const QFontMetricsF metrics(m_look.font);
-  const double textWidth = symbolWidth(entry) + metrics.horizontalAdvance(entry.text);
-  std::vector<Piece> pieces = {
-      {QRectF(0, 0, textWidth, rowHeight()), &entry, entry.text, m_look.font, m_look.theme.text}};
+void ChartHeading::placeRuns() {
+  if (m_content.runs.empty()) return;
+  const double width = widthInOneRow(m_content.runs);
+  const bool inOneRow = width <= m_bounds.width();
+  if (m_content.legend.empty() || m_rowEnd + width > m_bounds.width()) beginRow();
+
+  double widestLabel = 0;
+  for (const HeadingEntry& run : m_content.runs) {
+    widestLabel = std::max(widestLabel, labelWidth(run));
+  }
+  for (const HeadingEntry& run : m_content.runs) {
+    if (m_rowEnd > 0 && !inOneRow) beginRow();
+    placeEntry(run, m_rowEnd + (inOneRow ? labelWidth(run) : widestLabel));
+  }
+}
+
+void ChartHeading::placeEntry(const HeadingEntry& entry, double figuresX) {
+  const auto place = [&](double x, double width) {
+    return QRectF(x, m_bounds.bottom() - rowHeight(), width, rowHeight());
+  };
+  m_pieces.push_back({place(m_rowEnd, labelWidth(entry)), &entry, entry.text, m_look.font,
+                      m_look.theme.text, kInRow});
   if (!entry.figures.isEmpty()) {
-    const double width = std::max(metrics.horizontalAdvance(entry.figures),
-                                  metrics.horizontalAdvance(entry.widestFigures));
-    pieces.push_back({QRectF(0, 0, width, rowHeight()), nullptr, entry.figures, m_look.font,
-                      m_look.theme.drift});
+    const double needed = QFontMetricsF(m_look.font).horizontalAdvance(entry.figures);
+    if (figuresX + needed > m_bounds.width()) {
+      beginRow();
+      figuresX = symbolWidth(entry);
+    }
+    m_pieces.push_back({place(figuresX, figuresWidth(entry)), nullptr, entry.figures, m_look.font,
+                        m_look.theme.drift, kInRow});
   }
-  return pieces;
+  m_rowEnd = m_pieces.back().place.right() + kLargeGap * em();
 }
 
-double ChartHeading::widthInOneRow() const {
+double ChartHeading::widthInOneRow(const std::vector<HeadingEntry>& entries) const {
   double width = -kLargeGap * em();
-  for (const std::vector<HeadingEntry>& group : m_content.groups) {
-    for (const HeadingEntry& entry : group) {
-      for (const Piece& piece : piecesOf(entry)) width += piece.place.width() + kSmallGap * em();
-      width += (kLargeGap - kSmallGap) * em();
-    }
+  for (const HeadingEntry& entry : entries) {
+    width += labelWidth(entry) + figuresWidth(entry) + kLargeGap * em();
   }
   return width;
+}
+
+/// With the gap that parts it from figures.
+double ChartHeading::labelWidth(const HeadingEntry& entry) const {
+  const double gap = entry.figures.isEmpty() ? 0 : kSmallGap * em();
+  return symbolWidth(entry) + QFontMetricsF(m_look.font).horizontalAdvance(entry.text) + gap;
+}
+
+double ChartHeading::figuresWidth(const HeadingEntry& entry) const {
+  const QFontMetricsF metrics(m_look.font);
+  return std::max(metrics.horizontalAdvance(entry.figures),
+                  metrics.horizontalAdvance(entry.widestFigures));
 }
 
 double ChartHeading::symbolWidth(const HeadingEntry& entry) const {
@@ -118,14 +143,11 @@ void ChartHeading::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
       paintSymbol(*painter, piece);
       place.setLeft(place.left() + symbolWidth(*piece.entry));
     }
-    // A pixel more than measured: a painter for paper may place letters a little wider.
+    // Wider than measured: a painter for paper may set letters a little wider.
     place.setRight(place.right() + em());
-    const bool flows = piece.place.height() == rowHeight();
     painter->setFont(piece.font);
     painter->setPen(piece.color);
-    painter->drawText(place,
-                      flows ? Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine : kWrapped,
-                      piece.text);
+    painter->drawText(place, piece.flags, piece.text);
   }
 }
 
@@ -135,7 +157,7 @@ void ChartHeading::paintSymbol(QPainter& painter, const Piece& piece) const {
   const double y = piece.place.center().y();
   if (entry.mark.isValid()) {
     const double radius = kMarkSize / 2 * em();
-    painter.setPen(QPen(entry.mark, 2));
+    painter.setPen(QPen(entry.mark, kMarkOutline));
     painter.setBrush(entry.markFilled ? QBrush(entry.mark) : QBrush(Qt::NoBrush));
     painter.drawEllipse(QPointF(x + radius, y), radius - 1, radius - 1);
     x += (kMarkSize + kSmallGap) * em();

@@ -23,10 +23,10 @@ struct HeadingEntry {
 
 struct HeadingContent {
   QString title;
-  QString note;     ///< below the title, faint
-  QString warning;  ///< what the reader must know to read the curves right
-  /// Each group begins a new row, unless all of them fit into one.
-  std::vector<std::vector<HeadingEntry>> groups;
+  QString note;                      ///< below the title, faint
+  QString warning;                   ///< what the reader must know to read the curves right
+  std::vector<HeadingEntry> legend;  ///< one after the other, in as many rows as it takes
+  std::vector<HeadingEntry> runs;    ///< in one row, or each in its own with aligned figures
 };
 
 /// What stands above the plot: title, legend, figures. A legend of our own because Qt's
@@ -49,16 +49,22 @@ class ChartHeading : public QGraphicsItem {
   /// Something with its place, ready to paint.
   struct Piece {
     QRectF place;
-    const HeadingEntry* entry = nullptr;  // draws its mark and line; else text alone
+    const HeadingEntry* entry = nullptr;  // whose mark and line stand before the text
     QString text;
     QFont font;
     QColor color;
+    int flags = 0;  // of QPainter::drawText
   };
 
   void placeText(const QString& text, const QFont& font, const QColor& color);
-  void placeGroups();
-  std::vector<Piece> piecesOf(const HeadingEntry& entry) const;
-  double widthInOneRow() const;
+  void placeLegend();
+  void placeRuns();
+  /// At the end of the last row; the figures in the next one if they do not fit.
+  void placeEntry(const HeadingEntry& entry, double figuresX);
+  void beginRow();
+  double labelWidth(const HeadingEntry& entry) const;
+  double figuresWidth(const HeadingEntry& entry) const;
+  double widthInOneRow(const std::vector<HeadingEntry>& entries) const;
   double symbolWidth(const HeadingEntry& entry) const;
   void paintSymbol(QPainter& painter, const Piece& piece) const;
   double em() const;
@@ -68,6 +74,7 @@ class ChartHeading : public QGraphicsItem {
   HeadingContent m_content;
   std::vector<Piece> m_pieces;
   QRectF m_bounds;
+  double m_rowEnd = 0;  // where the last row's next entry may begin [px]
 };
 
 }  // namespace ui

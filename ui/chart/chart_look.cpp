@@ -14,7 +14,7 @@ namespace ui {
 namespace {
 
 constexpr double kLeastScreenPoints = 12;
-constexpr int kPaperPixels = 14;  // at 96 dpi: 10.5 pt
+constexpr double kPaperPoints = 9.5;  // as captions in books
 
 double pixelsPerPoint() {
   const QScreen* screen = QGuiApplication::primaryScreen();
@@ -34,7 +34,7 @@ ChartLook ChartLook::forScreen(const Theme& theme, const QFont& font) {
 ChartLook ChartLook::forPaper() {
   // By its resolved name, for files are read where "Sans Serif" is another font.
   QFont font(QFontInfo(QGuiApplication::font()).family());
-  font.setPixelSize(kPaperPixels);
+  font.setPixelSize(qRound(kPaperPoints / 72 * kPaperDotsPerInch));
   font.setHintingPreference(QFont::PreferNoHinting);
   Theme theme = Theme::light();
   theme.background = Qt::white;

@@ -9,6 +9,9 @@ class QChart;
 
 namespace ui {
 
+/// Resolution at which charts for paper are laid out: lines of 2 px are 1 pt thick.
+inline constexpr int kPaperDotsPerInch = 150;
+
 /// Colors and type of a chart.
 struct ChartLook {
   Theme theme = Theme::light();

@@ -50,7 +50,7 @@ QList<QPointF> cutToScale(const std::vector<CurvePoint>& curve, double lowest, d
 
 std::size_t mostPointsPerCurve(std::size_t curves) {
   constexpr std::size_t kMostForOne = 2000;
-  constexpr std::size_t kMostForAll = 8000;
+  constexpr std::size_t kMostForAll = 14000;
   return std::min(kMostForOne, kMostForAll / std::max<std::size_t>(curves, 1));
 }
 

@@ -18,7 +18,7 @@ namespace {
 // A frame's time more or less, so that each second frame at 60 Hz draws.
 constexpr int kShortestPause = 25;  // [ms]
 constexpr double kLeastTime = 2;    // [s]
-constexpr QSize kLeastSize(320, 200);
+constexpr QSize kLeastSize(360, 260);
 
 /// Tells whether a ledger was added to, cut or begun anew since it was drawn.
 struct LedgerStamp {

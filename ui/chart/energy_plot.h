@@ -7,13 +7,15 @@
 
 #include "ui/chart/chart_frame.h"
 #include "ui/chart/charted_run.h"
-#include "ui/chart/energy_extent.h"
-#include "ui/chart/figure_text.h"
 
 class QChart;
 class QLineSeries;
 
 namespace ui {
+
+struct EnergyExtent;
+struct EnergyQuantity;
+struct EnergyScales;
 
 /// Energies of runs as curves in a chart, the same on screen and on paper. Belongs to its
 /// chart as a child object.
@@ -25,6 +27,7 @@ class EnergyPlot : public QObject {
   explicit EnergyPlot(QChart* chart);
 
   void setLook(const ChartLook& look);
+  /// Above the legend; shown from the next update on.
   void setTitle(const QString& title, const QString& note);
   /// The time axis reaches at least to there [s]; keeps the first moments of a growing run
   /// from changing the axis all the time.
@@ -38,13 +41,9 @@ class EnergyPlot : public QObject {
   void update();
 
  private:
-  void styleCurves();
-  void showScales(const EnergyExtent& extent);
-  void showCurves(const EnergyExtent& extent);
-  HeadingContent heading(const EnergyExtent& extent) const;
-  std::vector<HeadingEntry> legend(const EnergyExtent& extent) const;
-  std::vector<HeadingEntry> runEntries() const;
-  QString warning(const EnergyExtent& extent) const;
+  void showCurves(const EnergyExtent& extent, const EnergyScales& scales);
+  void showCurve(std::size_t run, const EnergyQuantity& quantity, std::size_t most,
+                 const EnergyExtent& extent, const EnergyScales& scales, QLineSeries& curve);
 
   ChartFrame* m_frame;  // belongs to the chart
   std::vector<ChartedRun> m_runs;
@@ -52,9 +51,6 @@ class EnergyPlot : public QObject {
   QString m_title;
   QString m_note;
   double m_leastTime = 0;
-  NiceScale m_energyScale;
-  ScaledUnit m_energyUnit;
-  ScaledUnit m_timeUnit;
 };
 
 }  // namespace ui
