@@ -51,6 +51,9 @@ class SceneView : public QWidget {
 
  public slots:
   void fitRoom();
+  // About the middle of the picture, in noticeable steps.
+  void zoomIn();
+  void zoomOut();
 
  signals:
   /// Another painter draws from now on, by choice or because OpenGL was lost.
