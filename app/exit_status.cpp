@@ -18,8 +18,9 @@ ExitStatus printed(const QString& text) {
   if (output.openStandardOutput() && output.write(text.toStdString()) && output.finish()) {
     return kSuccess;
   }
-  return failure(kFailed, QCoreApplication::translate("app::ExitStatus", "standard output: %1")
-                              .arg(output.error()));
+  return failure(
+      kFailed,
+      QCoreApplication::translate("app::ExitStatus", "standard output: %1").arg(output.error()));
 }
 
 }  // namespace app

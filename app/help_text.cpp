@@ -52,6 +52,8 @@ QString helpText() {
       .arg(methodNames());
 }
 
-QString versionText() { return QStringLiteral("angrycuts %1\n").arg(ANGRYCUTS_VERSION); }
+QString versionText() {
+  return QStringLiteral("angrycuts %1\n").arg(ANGRYCUTS_VERSION);
+}
 
 }  // namespace app

@@ -50,13 +50,15 @@ core::Solver solverOf(const Arguments& arguments) {
   core::Solver solver;
   if (arguments.has(kMethod)) solver.method = arguments.text(kMethod).toStdString();
   if (!core::findMethod(solver.method)) {
-    Arguments::refuse(kMethod, Texts::tr("must be one of %1, got \"%2\"")
-                                   .arg(methodNames(), arguments.text(kMethod)));
+    Arguments::refuse(
+        kMethod,
+        Texts::tr("must be one of %1, got \"%2\"").arg(methodNames(), arguments.text(kMethod)));
   }
   if (arguments.has(kTolerance)) {
     arguments.number(kTolerance, core::kToleranceRange, 0);
-    Arguments::refuse(kTolerance, Texts::tr("%1 takes a step, not a tolerance")
-                                      .arg(QString::fromStdString(solver.method)));
+    Arguments::refuse(
+        kTolerance,
+        Texts::tr("%1 takes a step, not a tolerance").arg(QString::fromStdString(solver.method)));
   }
   solver.step = arguments.number(kStep, core::kStepRange, solver.step);
   return solver;
@@ -101,9 +103,9 @@ void refuseUnknownPicture(const QString& file) {
 }
 
 Call simulateCall(const QStringList& given) {
-  const Arguments arguments(given, {kHelp},
-                            {kMethod, kStep, kTolerance, kUntil, kCut, kSample, kTrajectory,
-                             kEnergy, kEvents, kChart});
+  const Arguments arguments(
+      given, {kHelp},
+      {kMethod, kStep, kTolerance, kUntil, kCut, kSample, kTrajectory, kEnergy, kEvents, kChart});
   if (arguments.has(kHelp)) return HelpCall{};
   const QStringList scenes = arguments.words(1);
   if (scenes.isEmpty()) throw CallRefused{Texts::tr("simulate: a scene must be named")};
