@@ -1,11 +1,14 @@
 #include "ui/main_window.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStatusBar>
@@ -23,6 +26,7 @@
 #include "ui/panels/energy_panel.h"
 #include "ui/panels/help_dialogs.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/panel_title.h"
 #include "ui/panels/playback_bar.h"
 #include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
@@ -35,7 +39,8 @@
 namespace ui {
 namespace {
 
-constexpr QSize kFirstSize(1280, 720);
+constexpr QSize kFirstSize(1600, 900);
+constexpr int kLeastChartHeight = 260;
 constexpr int kMessageTime = 6000;  // ms
 
 /// Forms scroll rather than squeeze.
@@ -67,7 +72,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
       m_controller, [this] { return m_energy->chosenRuns(); }, this);
   m_appearance->setChoice(Settings().theme());
   setWindowIcon(icon("angrycuts"));
-  resize(kFirstSize);
+  resize(kFirstSize.boundedTo(screen()->availableSize()));
   buildCentre();
   buildPanels();
   buildMenus();
@@ -78,6 +83,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectView();
   startScene();
   showTitle();
+  sizePanels();
 }
 
 MainWindow::~MainWindow() = default;
@@ -107,9 +113,20 @@ void MainWindow::buildPanels() {
       addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), scrolling(new RunsForm(m_editor)));
   QDockWidget* energy = addPanel(Qt::BottomDockWidgetArea, "energy", tr("Energy"), m_energy);
   tabifyDockWidget(scene, weights);
+  // Their tabs are their titles.
+  for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
+  runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
+  energy->setTitleBarWidget(new PanelTitle(energy, m_energy->chooser()));
   scene->raise();
-  resizeDocks({scene, runs}, {420, 200}, Qt::Vertical);
-  resizeDocks({energy}, {220}, Qt::Vertical);
+}
+
+/// The scene gets most of the window, and the chart what it needs to be read.
+void MainWindow::sizePanels() {
+  const int chartHeight = std::max(kLeastChartHeight, height() * 3 / 10);
+  resizeDocks({findChild<QDockWidget*>("energy")}, {chartHeight}, Qt::Vertical);
+  QDockWidget* runs = findChild<QDockWidget*>("runs");
+  resizeDocks({findChild<QDockWidget*>("scene"), runs}, {height(), runs->sizeHint().height()},
+              Qt::Vertical);
 }
 
 QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,

@@ -50,6 +50,7 @@ class MainWindow : public QMainWindow {
   void buildPanels();
   QDockWidget* addPanel(Qt::DockWidgetArea area, const QString& name, const QString& title,
                         QWidget* content);
+  void sizePanels();
   void buildMenus();
   void buildStatusBar();
   void connectPlayback();

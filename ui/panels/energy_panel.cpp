@@ -13,7 +13,7 @@ namespace ui {
 EnergyPanel::EnergyPanel(const RunController* controller, QWidget* parent)
     : QWidget(parent),
       m_controller(controller),
-      m_chooser(new QComboBox(this)),
+      m_chooser(new QComboBox),
       m_chart(new EnergyChart) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -50,6 +50,10 @@ std::vector<ChartedRun> EnergyPanel::chosenRuns() const {
   std::vector<ChartedRun> runs;
   for (int i = 0; i < m_controller->runCount(); ++i) runs.push_back(charted(i));
   return runs;
+}
+
+QWidget* EnergyPanel::chooser() const {
+  return m_chooser;
 }
 
 void EnergyPanel::choose(int run) {

@@ -23,6 +23,9 @@ class EnergyPanel : public QWidget {
   /// What the chart shows: the runs' energies and names.
   std::vector<ChartedRun> chosenRuns() const;
 
+  /// Chooses the runs, wherever it is laid out; hidden while there is but one.
+  QWidget* chooser() const;
+
   /// Shows the run with this index; −1: all.
   void choose(int run);
 

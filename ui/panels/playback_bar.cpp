@@ -21,9 +21,9 @@ namespace {
 constexpr int kSlowest = -4;
 constexpr int kFastest = 2;
 
-constexpr double kTimeType = 2.2;     // times the base type
+constexpr double kTimeType = 2;       // times the base type
 constexpr double kMostlyKept = 0.97;  // of the speed: less is noticed and shown
-constexpr QSize kIconSize(28, 28);
+constexpr QSize kIconSize(26, 26);
 
 int exponentOf(double speed) {
   return std::clamp(static_cast<int>(std::lround(std::log2(speed))), kSlowest, kFastest);
@@ -36,10 +36,9 @@ QString speedText(double speed) {
 QToolButton* buttonFor(QAction* action) {
   auto* button = new QToolButton;
   button->setDefaultAction(action);
-  button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setIconSize(kIconSize);
   button->setAutoRaise(true);
-  button->setMinimumWidth(button->fontMetrics().horizontalAdvance("MMMMM"));
   return button;
 }
 
@@ -52,7 +51,7 @@ PlaybackBar::PlaybackBar(const Commands& commands, QWidget* parent)
       m_timeLabel(new QLabel),
       m_paceLabel(new QLabel) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 4, 16, 4);
+  layout->setContentsMargins(8, 2, 16, 2);
   layout->setSpacing(16);
   layout->addWidget(buttons(commands));
   layout->addWidget(speedBox());
@@ -98,9 +97,9 @@ QWidget* PlaybackBar::speedBox() {
 
 QWidget* PlaybackBar::timeBox() {
   auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
+  auto* layout = new QHBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  layout->setSpacing(12);
   QFont large = m_timeLabel->font();
   large.setPointSizeF(large.pointSizeF() * kTimeType);
   large.setBold(true);
@@ -109,9 +108,9 @@ QWidget* PlaybackBar::timeBox() {
   m_timeLabel->setAccessibleName(tr("Simulated time"));
   // Room for the longest common text, so that nothing moves while the digits do.
   m_timeLabel->setMinimumWidth(m_timeLabel->fontMetrics().horizontalAdvance("0000.000 s"));
-  m_paceLabel->setAlignment(Qt::AlignRight);
-  layout->addWidget(m_timeLabel);
+  m_paceLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   layout->addWidget(m_paceLabel);
+  layout->addWidget(m_timeLabel);
   return box;
 }
 
@@ -126,10 +125,10 @@ void PlaybackBar::showSpeed(double speed) {
 }
 
 void PlaybackBar::showKeptShare(double keptShare) {
-  const QString text = keptShare >= kMostlyKept
-                           ? tr("in real time")
-                           : tr("slower than real time: %1 % of the speed")
-                                 .arg(QLocale().toString(100 * keptShare, 'f', 0));
+  const QString text =
+      keptShare >= kMostlyKept
+          ? tr("in real time")
+          : tr("too slow: %1 % of the speed").arg(QLocale().toString(100 * keptShare, 'f', 0));
   if (text != m_paceLabel->text()) m_paceLabel->setText(text);
 }
 

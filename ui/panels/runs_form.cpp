@@ -6,6 +6,8 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
 
 #include "core/methods/method.h"
@@ -45,19 +47,18 @@ RunsForm::RunsForm(SceneEditor* editor, QWidget* parent) : Form(editor, parent) 
 }
 
 void RunsForm::addRun(int index) {
-  Row row{new QCheckBox(tr("Run %1").arg(index + 1)),
+  Row row{new QCheckBox,
+          new QLabel,
           new QComboBox,
           new QuantityField({.range = core::kStepRange, .arrowsDouble = true}),
           {.method = std::string(core::methods().front().id)}};
   for (const core::Method& method : core::methods()) {
     row.method->addItem(methodWords(method), QString::fromUtf8(method.id.data()));
   }
-  row.shown->setFocusPolicy(Qt::TabFocus);
-  row.shown->setEnabled(index > 0);
   row.method->setFocusPolicy(Qt::TabFocus);
   row.method->setAccessibleName(tr("Method of run %1").arg(index + 1));
   row.step->spinBox()->setAccessibleName(tr("Step of run %1").arg(index + 1));
-  rows()->addRow(row.shown, row.method);
+  rows()->addRow(nameOf(row, index), row.method);
   rows()->addRow(tr("Step"), row.step);
   m_runs.push_back(row);
 
@@ -70,6 +71,22 @@ void RunsForm::addRun(int index) {
   bind(row.step, read,
        [index](core::Scene& scene, double step) { scene.solvers[index].step = step; });
   paintMarks();
+}
+
+/// The run's name with the mark its weights have in the scene.
+QWidget* RunsForm::nameOf(const Row& row, int index) {
+  const QString words = tr("Run %1").arg(index + 1);
+  row.shown->setFocusPolicy(Qt::TabFocus);
+  row.shown->setAccessibleName(words);
+  row.shown->setVisible(index > 0);
+  auto* name = new QWidget;
+  auto* layout = new QHBoxLayout(name);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  if (index > 0) layout->addWidget(row.shown);
+  layout->addWidget(row.mark);
+  layout->addWidget(new QLabel(words));
+  return name;
 }
 
 void RunsForm::setShown(int index, bool shown) {
@@ -114,7 +131,7 @@ void RunsForm::changeEvent(QEvent* event) {
 void RunsForm::paintMarks() {
   const Theme theme = Theme::of(palette());
   for (int i = 0; i < static_cast<int>(m_runs.size()); ++i) {
-    m_runs[i].shown->setIcon(markOf(i, theme));
+    m_runs[i].mark->setPixmap(markOf(i, theme));
   }
 }
 

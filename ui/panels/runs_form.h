@@ -4,6 +4,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 
 namespace ui {
 
@@ -21,13 +22,15 @@ class RunsForm : public Form {
 
  private:
   struct Row {
-    QCheckBox* shown = nullptr;
+    QCheckBox* shown = nullptr;  // hidden for the first run
+    QLabel* mark = nullptr;
     QComboBox* method = nullptr;
     QuantityField* step = nullptr;
     core::Solver latest;  // comes back when the run is switched on again
   };
 
   void addRun(int index);
+  QWidget* nameOf(const Row& row, int index);
   void showRun(int index);
   void setShown(int index, bool shown);
   void setMethod(int index, const QString& id);

@@ -20,20 +20,24 @@ SceneForm::SceneForm(SceneEditor* editor, QWidget* parent)
     : Form(editor, parent),
       m_cutByClock(new QCheckBox(tr("Cut at"))),
       m_cutTime(new QuantityField({core::kCutTimeRange, 0.1})) {
+  addWeights();
   addSurroundings();
   addRoom();
   addImpacts();
-  addCut();
   SceneForm::showDraft();
 }
 
-void SceneForm::addSurroundings() {
+void SceneForm::addWeights() {
   addQuantity(
       tr("Weights"), {.range = kCountRange, .arrowStep = 1, .wholeNumbers = true},
       [](const core::Scene& scene) { return static_cast<double>(scene.weights.size()); },
       [](core::Scene& scene, double count) {
         scene = core::withWeightCount(scene, static_cast<int>(count));
       });
+  addCut();
+}
+
+void SceneForm::addSurroundings() {
   addQuantity(
       tr("Gravity"), {core::kGravityRange, 0.1},
       [](const core::Scene& scene) { return scene.gravity; },
@@ -73,7 +77,6 @@ void SceneForm::addImpacts() {
 }
 
 void SceneForm::addCut() {
-  addHeading(tr("Ropes"));
   m_cutByClock->setToolTip(tr("Unticked: all ropes are cut by hand, with the Cut button"));
   m_cutByClock->setFocusPolicy(Qt::TabFocus);
   m_cutTime->spinBox()->setAccessibleName(tr("Time of the cut"));

@@ -17,10 +17,11 @@ class SceneForm : public Form {
   void showDraft() override;
 
  private:
+  void addWeights();
+  void addCut();
   void addSurroundings();
   void addRoom();
   void addImpacts();
-  void addCut();
   void setCutByClock(bool byClock);
 
   QCheckBox* m_cutByClock;
