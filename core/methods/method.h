@@ -1,9 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 namespace core {
+
+/// How a weight moves between the two ends of a step.
+enum class PathShape : std::uint8_t {
+  kStraight,  ///< every entry of the state changes evenly, which is what Euler's method says
+  kCubic,     ///< the cubic through both ends with both slopes (Hermite)
+};
 
 /// One row of the method table that menus, tests, measurements and help read.
 struct Method {
@@ -11,6 +18,11 @@ struct Method {
   std::string_view name;  ///< the method's name in English, such as "Runge–Kutta 4"
   int order;              ///< global error O(h^order)
   int slopesPerStep;      ///< slope evaluations of one step
+  PathShape path;
+
+  /// Whether a kink inside a step would cost the method its order, so that steps are split
+  /// there.
+  bool mindsKinks() const { return order > 2; }
 };
 
 /// All methods, simplest first.

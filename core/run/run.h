@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -9,20 +10,10 @@
 #include "core/methods/method.h"
 #include "core/motion/energy.h"
 #include "core/run/event.h"
+#include "core/run/phase.h"
 #include "core/scene/scene.h"
 
 namespace core {
-
-/// What a weight is doing.
-enum class Phase : std::uint8_t {
-  kTethered,  ///< swings on a taut rope or a rod
-  kSlack,     ///< flies inside the circle of its slack rope
-  kFlying,    ///< flies free
-  kResting,   ///< in lasting contact with a surface or other weights; may slide
-};
-
-/// The word that stands for the phase in files: "tethered".
-std::string_view nameOf(Phase phase);
 
 /// One weight at one moment.
 struct WeightState {

@@ -42,13 +42,15 @@ inline constexpr int kMostSolvers = 4;
 struct Problem {
   enum class Kind {
     kOutOfRange,    ///< `value` is not in `allowed`
-    kOutsideRoom,   ///< a pivot, or a weight's disc, is not inside the room
+    kOutsideRoom,   ///< a pivot (`value` 0) or a disc of radius `value` at `text` is not inside
     kOverlap,       ///< the weight overlaps the one with index `other`
     kTooMany,       ///< `value` entries where at most `allowed.highest` may stand
     kUnknownMethod  ///< `text` is no method's id
   };
 
-  std::string place;  ///< key as in scene files, such as "weights[3].rope.length"
+  std::string place;  ///< key as in scene files: "weights[3].rope.length"; of two numbers in
+                      ///< brackets the one: "weights[3].velocity[0]"; of a hanging weight
+                      ///< that starts outside the room: "weights[3].rope"
   Kind kind;
   double value = 0;  ///< as the user wrote it: degrees for angles
   Range allowed{0, 0, ""};
@@ -59,9 +61,10 @@ struct Problem {
 /// Every problem in `scene`, in the order of the keys in a scene file; empty if it can run.
 ///
 /// Changes nothing and never throws: correcting a value is the user's decision. Method
-/// names are not looked at: `methods/method.h` knows them. Weights that merely touch (gap
-/// down to −10⁻⁹ of the radii's sum) do not overlap. Takes O(N log N) for N weights, and
-/// lists at most one overlap per weight.
+/// names are not looked at: `methods/method.h` knows them. What merely touches (a gap down
+/// to −kTouchTolerance of the radii's sum, or to a wall of the radius) neither overlaps nor
+/// is outside. Where a weight starts is looked at when all that decides it is in range.
+/// Takes O(N log N) for N weights, and lists at most one overlap per weight.
 std::vector<Problem> problemsIn(const Scene& scene);
 
 /// One line in English: "weights[3].rope.length: must be from 0.001 to 10000 m, got -1".

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/motion/state.h"
+
+namespace core {
+
+/// How a weight swings on a taut rope or a rod, valid for any angle.
+///
+/// State x = (θ, ω, Q): angle from straight down, towards +x positive [rad]; angular
+/// velocity [rad/s]; energy lost to air so far [J].
+///
+///     θ' = ω
+///     ω' = −(g/L) sin θ − κ |ω| ω        κ = q L = ρ c_d A L / (2 m)
+///     Q' = m κ L² |ω|³
+///
+/// `Number` is double for one weight or Lanes<n> for a batch of n weights.
+/// Derivation: core/model.md, "Swing".
+template <class Number = double>
+class Swing {
+ public:
+  /// @param gravity  g [m/s²]
+  /// @param length   L of the rope [m]
+  /// @param mass     m [kg]
+  /// @param drag     q [1/m], see dragFactor()
+  Swing(double gravity, const Number& length, const Number& mass, const Number& drag)
+      : m_pull(gravity / length),
+        m_drag(drag * length),
+        m_heating(mass * m_drag * length * length) {}
+
+  /// dx/dt at x, entries in SI units per second.
+  template <class State>
+  State operator()(const State& x) const {
+    using Column = Eigen::Array<double, State::RowsAtCompileTime, 1>;
+    const Column speed = x.col(1).abs();
+    State slope;
+    slope.col(0) = x.col(1);
+    slope.col(1) = -m_pull * x.col(0).sin() - m_drag * speed * x.col(1);
+    slope.col(2) = m_heating * speed * speed * speed;
+    return slope;
+  }
+
+ private:
+  Number m_pull;     // g/L [1/s²]
+  Number m_drag;     // κ [-]
+  Number m_heating;  // m κ L² [kg m²]
+};
+
+}  // namespace core
