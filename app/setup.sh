@@ -30,8 +30,8 @@ as_root() {
   local -a sudo=()
   if [ "$(id -u)" != 0 ]; then sudo=(sudo); fi
   output=$("${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "$@" 2>&1 </dev/null) || {
-    tail -n 20 <<<"$output" >&2
-    fail "this failed: $*"
+    tail -n 10 <<<"$output" >&2
+    fail "this failed (is there a network?): $*"
   }
 }
 
