@@ -76,11 +76,14 @@ std::optional<double> firstTaut(const Path& path, const Eigen::Vector2d& pivot, 
   const double still = tolerance.speed * duration;
   if (closing > still) return 0.0;
   if (closing < -still) return firstFall<5>(withoutRootAtZero<6>(room), 0);
-  // The weight leaves the circle along it: neither speed nor acceleration points away from
-  // it, only the third order opens the rope.
-  const Bernstein<3> bending =
-      withoutRootAtZero<4>(withoutRootAtZero<5>(withoutRootAtZero<6>(room)));
-  return firstFall<3>(bending, 2 * length * tolerance.gap);
+  const Bernstein<4> bending = withoutRootAtZero<5>(withoutRootAtZero<6>(room));
+  const double largest = std::abs(*std::ranges::max_element(
+      bending, {}, [](double coefficient) { return std::abs(coefficient); }));
+  const double rounding = 2 * length * tolerance.gap + 1e-9 * largest;
+  if (std::abs(bending[0]) > rounding) return firstFall<4>(bending, 0);
+  // A rope that just went slack: neither speed nor acceleration leads away from the circle,
+  // only the third order opens the rope.
+  return firstFall<3>(withoutRootAtZero<4>(bending), 2 * length * tolerance.gap);
 }
 
 }  // namespace core

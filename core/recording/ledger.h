@@ -29,10 +29,12 @@ class Ledger {
 
   /// In time order.
   std::span<const EnergySample> samples() const { return m_samples; }
-  /// Largest accounted energy so far [J]: the top of an energy axis.
+  /// Largest accounted energy so far [J]: the top of an energy axis. Samples that are no
+  /// longer kept count, until dropAfter() forgets some.
   double highest() const { return m_highest; }
 
  private:
+  void raiseHighest(const EnergySample& sample);
   void thinByHalf();
 
   std::size_t m_most;

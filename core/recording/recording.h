@@ -18,7 +18,7 @@ namespace core {
 /// States are kept every so many steps; when they outgrow the budget every other one is
 /// dropped. A step between two of them is restored by taking the steps from the earlier
 /// one again, which gives the same bits because a run is deterministic. What the user cuts
-/// by hand is part of the record.
+/// by hand is part of the record: states are kept as they were before the cuts of their step.
 class Recording {
  public:
   /// @param budget  most memory for states [bytes]; two states are kept in any case
@@ -53,6 +53,8 @@ class Recording {
   };
 
   void keep(const Run& run);
+  void thinStates();
+  void repeatCuts(Run& run) const;
   void forgetAfter(const Run& run);
 
   std::size_t m_budget;

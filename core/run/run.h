@@ -32,6 +32,7 @@ enum class RunStatus : std::uint8_t {
   kEndless,   ///< one step held more events than a step may: the state before it is kept
 };
 
+class Engine;
 class RunState;
 
 /// One scene × one method, step by step.
@@ -95,7 +96,6 @@ class Run {
   void restore(const RunState& state);
 
  private:
-  class Engine;
   std::unique_ptr<Engine> m_engine;
 };
 

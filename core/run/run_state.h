@@ -6,6 +6,8 @@
 
 namespace core {
 
+struct EngineState;
+
 /// Everything that decides how a run goes on, as a value: taken with Run::state(), given
 /// back with Run::restore().
 class RunState {
@@ -23,8 +25,7 @@ class RunState {
 
  private:
   friend class Run;
-  struct Content;
-  std::unique_ptr<Content> m_content;
+  std::unique_ptr<EngineState> m_content;
 };
 
 }  // namespace core

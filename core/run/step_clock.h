@@ -40,8 +40,8 @@ class StepClock {
   double m_longestFrame;
   double m_speed = 1;
   double m_time = 0;
-  double m_target = 0;
-  double m_frame = 0;
+  double m_target = 0;   // of the present frame; m_time between frames
+  double m_elapsed = 0;  // wall time of the present frame [s]; 0 between frames
   double m_keptShare = 1;
 };
 

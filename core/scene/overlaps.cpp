@@ -107,4 +107,13 @@ std::vector<Overlap> overlapsAmong(std::span<const Disc> discs) {
   return overlaps;
 }
 
+std::vector<Disc> startDiscs(const Scene& scene) {
+  std::vector<Disc> discs;
+  discs.reserve(scene.weights.size());
+  for (const Weight& weight : scene.weights) {
+    discs.push_back({startPosition(weight), weight.radius});
+  }
+  return discs;
+}
+
 }  // namespace core

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "core/scene/scene.h"
+
 namespace core {
 
 /// A disc in the plane.
@@ -29,5 +31,8 @@ inline constexpr double kTouchTolerance = 1e-9;
 /// kRadiusRange, or whose center lies farther from the origin than any room reaches, are
 /// left out.
 std::vector<Overlap> overlapsAmong(std::span<const Disc> discs);
+
+/// Where the weights of the scene are at t = 0, one disc each.
+std::vector<Disc> startDiscs(const Scene& scene);
 
 }  // namespace core

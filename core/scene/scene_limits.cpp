@@ -78,7 +78,7 @@ class Inspection {
   void checkWeights() {
     const std::vector<Weight>& weights = m_scene.weights;
     checkCount("weights", weights.size(), kMostWeights);
-    const std::vector<Overlap> overlaps = startOverlaps();
+    const std::vector<Overlap> overlaps = overlapsAmong(startDiscs(m_scene));
     auto overlap = overlaps.begin();
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const std::string place = entry("weights", i);
@@ -89,15 +89,6 @@ class Inspection {
         ++overlap;
       }
     }
-  }
-
-  std::vector<Overlap> startOverlaps() const {
-    std::vector<Disc> discs;
-    discs.reserve(m_scene.weights.size());
-    for (const Weight& weight : m_scene.weights) {
-      discs.push_back({startPosition(weight), weight.radius});
-    }
-    return overlapsAmong(discs);
   }
 
   void checkWeight(const std::string& place, const Weight& weight) {

@@ -1,0 +1,92 @@
+#include "core/recording/recording.h"
+
+#include <cassert>
+#include <iterator>
+
+namespace core {
+
+void Recording::start(const Run& run) {
+  m_states.clear();
+  m_cuts.clear();
+  m_stateBytes = 0;
+  m_stride = 1;
+  m_firstStep = m_lastStep = run.stepCount();
+  m_ledger.clear();
+  m_events.clear();
+  m_ledger.append({run.time(), run.energies()});
+  keep(run);
+}
+
+void Recording::record(const Run& run) {
+  m_lastStep = run.stepCount();
+  m_ledger.append({run.time(), run.energies()});
+  m_events.append(run.stepEvents());
+  if ((m_lastStep - m_firstStep) % m_stride == 0) keep(run);
+}
+
+void Recording::keep(const Run& run) {
+  RunState state = run.state();
+  m_stateBytes += state.bytes();
+  m_states.insert_or_assign(run.stepCount(), std::move(state));
+  while (m_stateBytes > m_budget && m_states.size() > 2) thinStates();
+}
+
+void Recording::thinStates() {
+  m_stride *= 2;
+  for (auto it = m_states.begin(); it != m_states.end();) {
+    if ((it->first - m_firstStep) % m_stride == 0) {
+      ++it;
+      continue;
+    }
+    m_stateBytes -= it->second.bytes();
+    it = m_states.erase(it);
+  }
+}
+
+void Recording::cutAll(Run& run) {
+  forgetAfter(run);
+  m_cuts.push_back({run.stepCount(), -1});
+  run.cutAll();
+}
+
+void Recording::cut(Run& run, int weight) {
+  forgetAfter(run);
+  m_cuts.push_back({run.stepCount(), weight});
+  run.cut(weight);
+}
+
+void Recording::forgetAfter(const Run& run) {
+  const std::int64_t step = run.stepCount();
+  m_lastStep = step;
+  for (auto it = m_states.upper_bound(step); it != m_states.end(); it = m_states.erase(it))
+    m_stateBytes -= it->second.bytes();
+  std::erase_if(m_cuts, [step](const HandCut& cut) { return cut.step > step; });
+  m_ledger.dropAfter(run.time());
+  m_events.dropAfter(run.time());
+}
+
+void Recording::restore(Run& run, std::int64_t step) const {
+  assert(m_firstStep <= step && step <= m_lastStep);
+  // One step earlier if there is one, so that the paths that led here are there too.
+  auto from = m_states.lower_bound(step);
+  if (from != m_states.begin()) from = std::prev(from);
+  run.restore(from->second);
+  while (run.stepCount() < step) {
+    repeatCuts(run);
+    run.advance();
+  }
+  repeatCuts(run);
+}
+
+void Recording::repeatCuts(Run& run) const {
+  for (const HandCut& cut : m_cuts) {
+    if (cut.step != run.stepCount()) continue;
+    if (cut.weight < 0) {
+      run.cutAll();
+    } else {
+      run.cut(cut.weight);
+    }
+  }
+}
+
+}  // namespace core

@@ -1,0 +1,252 @@
+#include "core/run/engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+// More events than this in one step, and the step is given up: it would never end.
+constexpr std::int64_t kMostEventsPerStep = 2'000'000;
+
+ContactTolerance toleranceFor(const Scene& scene) {
+  // Places are rounded to about 10⁻¹⁶ of the room's size.
+  const double rounding = 1e-15 * std::max(scene.room.width, scene.room.height);
+  return {1e-12 + rounding, 1e-12 + rounding};
+}
+
+}  // namespace
+
+Engine::Engine(std::shared_ptr<const Scene> scene, Solver solver)
+    : m_scene(std::move(scene)),
+      m_solver(std::move(solver)),
+      m_bodies(bodiesOf(*m_scene)),
+      m_stepper(*findMethod(m_solver.method), m_scene->gravity, m_scene->room.friction),
+      m_tolerance(toleranceFor(*m_scene)),
+      m_foresight(*m_scene, m_tolerance) {
+  m_now.weights.reserve(m_bodies.size());
+  for (std::size_t i = 0; i < m_bodies.size(); ++i)
+    m_now.weights.push_back(startRecord(m_scene->weights[i], m_bodies[i]));
+  const Energies start = energies();
+  m_startEnergy = start.mechanical();
+  if (m_scene->cutTime && *m_scene->cutTime <= 0) {
+    m_now.cutTimePassed = true;
+    cutNow(-1);
+  }
+}
+
+WeightRecord Engine::startRecord(const Weight& weight, const Body& body) const {
+  WeightRecord record;
+  record.tied = body.hasRope;
+  if (body.hasRope) {
+    record.mode = Mode::kSwing;
+    record.state << weight.rope->angle, 0, weight.rope->angularVelocity, 0, 0;
+    if (body.rigid || m_foresight.tension(body, record.state) >= 0) return record;
+  }
+  record.mode = Mode::kFlight;
+  const Eigen::Vector2d position = startPosition(weight);
+  const Eigen::Vector2d velocity = startVelocity(weight);
+  record.state << position.x(), position.y(), velocity.x(), velocity.y(), 0;
+  const bool lies = position.y() - body.radius <= m_tolerance.gap && velocity.y() == 0;
+  if (lies && m_scene->gravity > 0) record.mode = Mode::kSlide;
+  return record;
+}
+
+RunStatus Engine::advance() {
+  if (m_status != RunStatus::kRunning) return m_status;
+  beginStep();
+  if (!stepAll()) {
+    abandonStep(RunStatus::kDiverged);
+    return m_status;
+  }
+  scheduleAll();
+  if (!processEvents()) {
+    abandonStep(m_diverged ? RunStatus::kDiverged : RunStatus::kEndless);
+    return m_status;
+  }
+  finishStep();
+  return m_status;
+}
+
+void Engine::beginStep() {
+  m_before = m_now;
+  m_events = std::move(m_now.pending);
+  m_now.pending.clear();
+  m_eventMoments.assign(m_events.size(), 0);
+  m_finished.clear();
+  m_queue.clear();
+  m_diverged = false;
+}
+
+bool Engine::stepAll() {
+  m_moving.resize(m_bodies.size());
+  for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+    const WeightRecord& record = m_now.weights[i];
+    Moving& moving = m_moving[i];
+    moving = {};
+    moving.piece.end = m_solver.step;
+    moving.piece.mode = record.mode;
+    moving.piece.tied = record.tied;
+    moving.piece.beginState = record.state;
+    m_stepper.fill(m_bodies[i], moving.piece);
+    if (!isFinite(static_cast<int>(i))) return false;
+  }
+  return true;
+}
+
+void Engine::scheduleAll() {
+  const double start = time();
+  if (m_scene->cutTime && !m_now.cutTimePassed &&
+      *m_scene->cutTime <= static_cast<double>(m_now.stepCount + 1) * m_solver.step) {
+    const double s = std::clamp(*m_scene->cutTime - start, 0.0, m_solver.step);
+    m_queue.push({s, -1, -1, Upcoming::Kind::kCut, false, 0, 0});
+  }
+  m_boxes.resize(m_bodies.size());
+  for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+    const Piece& piece = m_moving[i].piece;
+    m_boxes[i] = boxOf(m_bodies[i], piece, piece.begin, piece.end);
+  }
+  m_broadPhase.rebuild(m_boxes);
+  for (int i = 0; i < static_cast<int>(m_bodies.size()); ++i) {
+    scheduleOwn(i);
+    m_broadPhase.forEachNear(m_boxes[i], [&](int other) {
+      if (other > i) scheduleMeeting(i, other);
+    });
+  }
+}
+
+void Engine::schedule(int index) {
+  scheduleOwn(index);
+  m_broadPhase.forEachNear(m_boxes[index], [&](int other) {
+    if (other != index) scheduleMeeting(std::min(index, other), std::max(index, other));
+  });
+}
+
+void Engine::scheduleOwn(int index) {
+  const Body& body = m_bodies[index];
+  const Piece& piece = m_moving[index].piece;
+  if (const auto moment = m_foresight.wall(body, piece))
+    push(moment->time, index, -1, moment->wall, moment->pressing);
+  if (const auto moment = m_foresight.slack(body, piece))
+    push(*moment, index, -1, Upcoming::Kind::kSlack);
+  if (const auto moment = m_foresight.taut(body, piece))
+    push(*moment, index, -1, Upcoming::Kind::kTaut);
+  if (const auto moment = m_foresight.stop(piece)) push(*moment, index, -1, Upcoming::Kind::kStop);
+  if (body.drag > 0 && method().mindsKinks())
+    if (const auto moment = m_foresight.apex(piece))
+      push(*moment, index, -1, Upcoming::Kind::kApex);
+  scheduleTurningPoint(index, piece.begin);
+}
+
+void Engine::scheduleTurningPoint(int index, double from) {
+  if (const auto moment = m_foresight.turningPoint(m_moving[index].piece, from))
+    push(*moment, index, -1, Upcoming::Kind::kTurningPoint);
+}
+
+void Engine::scheduleMeeting(int a, int b) {
+  if (!m_boxes[a].meets(m_boxes[b])) return;
+  const Piece& pieceA = m_moving[a].piece;
+  const Piece& pieceB = m_moving[b].piece;
+  if (m_stepper.isStill(pieceA) && m_stepper.isStill(pieceB)) return;
+  if (const auto moment = m_foresight.meeting(m_bodies[a], pieceA, m_bodies[b], pieceB))
+    push(moment->time, a, b, Upcoming::Kind::kWeight, moment->pressing);
+}
+
+void Engine::push(double time, int weight, int other, Upcoming::Kind kind, bool pressing) {
+  m_queue.push({time, weight, other, kind, pressing, m_moving[weight].stamp,
+                other < 0 ? 0 : m_moving[other].stamp});
+}
+
+bool Engine::isCurrent(const Upcoming& event) const {
+  if (event.weight < 0) return true;
+  if (m_moving[event.weight].stamp != event.stamp) return false;
+  return event.other < 0 || m_moving[event.other].stamp == event.otherStamp;
+}
+
+bool Engine::processEvents() {
+  std::int64_t count = 0;
+  while (!m_queue.isEmpty()) {
+    const Upcoming event = m_queue.pop();
+    if (!isCurrent(event)) continue;
+    if (++count > kMostEventsPerStep) return false;
+    act(event);
+    if (m_diverged) return false;
+  }
+  return true;
+}
+
+void Engine::finishStep() {
+  for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+    const Piece& piece = m_moving[i].piece;
+    m_now.losses.friction += slideLoss(static_cast<int>(i), piece, piece.end);
+    m_now.weights[i] = {piece.endState, piece.mode, piece.tied};
+  }
+  m_now.evaluations = m_stepper.evaluations();
+  ++m_now.stepCount;
+}
+
+void Engine::abandonStep(RunStatus status) {
+  m_now = m_before;
+  m_stepper.setEvaluations(m_now.evaluations);
+  m_moving.clear();
+  m_events.clear();
+  m_status = status;
+}
+
+bool Engine::isFinite(int index) const {
+  const Piece& piece = m_moving[index].piece;
+  // Squares of larger numbers are infinite: no place or energy can be told from them.
+  constexpr double kLargest = 1e150;
+  return (piece.endState.abs() < kLargest).all() && (piece.endSlope.abs() < kLargest).all() &&
+         (piece.beginSlope.abs() < kLargest).all();
+}
+
+double Engine::slideLoss(int index, const Piece& piece, double s) const {
+  if (piece.mode != Mode::kSlide) return 0;
+  const double force = m_bodies[index].mass * m_scene->room.friction * m_scene->gravity;
+  return force * std::abs(piece.at(s)[0] - piece.beginState[0]);
+}
+
+void Engine::cutNow(int weight) {
+  for (int i = 0; i < static_cast<int>(m_bodies.size()); ++i) {
+    WeightRecord& record = m_now.weights[i];
+    if (!record.tied || (weight >= 0 && weight != i)) continue;
+    if (isTethered(record.mode)) {
+      const Eigen::Vector2d position = positionOf(m_bodies[i], record.mode, record.state);
+      const Eigen::Vector2d velocity = velocityOf(m_bodies[i], record.mode, record.state);
+      record.state << position, velocity, record.state[4];
+      record.mode = Mode::kFlight;
+    }
+    record.tied = false;
+  }
+  Event event{.time = time(), .kind = EventKind::kCut, .weight = weight};
+  if (weight >= 0) {
+    const WeightState state = this->weight(weight);
+    event.position = state.position;
+    event.speedBefore = event.speedAfter = state.velocity.norm();
+  }
+  m_now.pending.push_back(event);
+}
+
+bool Engine::allCut() const {
+  return std::ranges::none_of(m_now.weights, &WeightRecord::tied);
+}
+
+EngineState Engine::state() const {
+  EngineState state = m_now;
+  state.evaluations = m_stepper.evaluations();
+  return state;
+}
+
+void Engine::restore(const EngineState& state) {
+  m_now = state;
+  m_before = state;
+  m_stepper.setEvaluations(state.evaluations);
+  m_status = RunStatus::kRunning;
+  m_moving.clear();
+  m_finished.clear();
+  m_events.clear();
+  m_eventMoments.clear();
+}
+
+}  // namespace core

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/contact/broad_phase.h"
+#include "core/contact/impulse.h"
+#include "core/run/engine_state.h"
+#include "core/run/event_queue.h"
+#include "core/run/foresight.h"
+#include "core/run/run.h"
+#include "core/run/stepper.h"
+
+namespace core {
+
+/// The work behind Run: one step at a time, events in time order.
+///
+/// In each step every weight is stepped to its end as if nothing happened. What the paths
+/// foresee is queued; the earliest event is polished with the method itself, acted on, and
+/// just the weights involved go on from there with new paths, until no event is left.
+/// Times inside a step count from its start, so that they keep their digits late in a run.
+class Engine {
+ public:
+  Engine(std::shared_ptr<const Scene> scene, Solver solver);
+
+  const Scene& scene() const { return *m_scene; }
+  const Solver& solver() const { return m_solver; }
+  const Method& method() const { return m_stepper.method(); }
+  std::int64_t stepCount() const { return m_now.stepCount; }
+  double time() const { return static_cast<double>(m_now.stepCount) * m_solver.step; }
+  RunStatus status() const { return m_status; }
+  std::int64_t evaluations() const { return m_stepper.evaluations(); }
+  double startEnergy() const { return m_startEnergy; }
+  std::span<const Event> stepEvents() const { return m_events; }
+
+  RunStatus advance();
+  void cutNow(int weight);  // −1: all
+  bool allCut() const;
+
+  WeightState weight(int index) const;
+  WeightState weightAt(int index, double time) const;
+  Energies energies() const;
+  Energies energiesAt(double time) const;
+
+  EngineState state() const;
+  void restore(const EngineState& state);
+
+ private:
+  /// One weight within the present step.
+  struct Moving {
+    Piece piece;
+    std::uint32_t stamp = 0;  // counts its pieces; foreseen events carry it
+    int finished = -1;        // its latest finished piece of this step, or −1
+  };
+  struct FinishedPiece {
+    Piece piece;
+    int previous;  // the same weight's one before, or −1
+  };
+
+  // Setting up.
+  WeightRecord startRecord(const Weight& weight, const Body& body) const;
+
+  // One step.
+  void beginStep();
+  bool stepAll();
+  void scheduleAll();
+  bool processEvents();
+  void finishStep();
+  void abandonStep(RunStatus status);
+  bool isCurrent(const Upcoming& event) const;
+
+  // Foreseeing.
+  void schedule(int index);
+  void scheduleOwn(int index);
+  void scheduleTurningPoint(int index, double from);
+  void scheduleMeeting(int a, int b);
+  void push(double time, int weight, int other, Upcoming::Kind kind, bool pressing = false);
+
+  // Acting on events.
+  void act(const Upcoming& event);
+  void cutAllAt(double s);
+  void meet(const Upcoming& event);
+  void exchange(const Upcoming& event, double s, const Entries& beforeA, const Entries& beforeB,
+                const Eigen::Vector2d& normal);
+  void hitWall(const Upcoming& event);
+  void hitWallInFlight(int index, double s, const Entries& before, const Upcoming& event);
+  void hitWallOnRope(int index, double s, const Entries& before, const Upcoming& event);
+  void rest(int index, double s, const Entries& before, const Entries& bounced, Mode mode,
+            int rateEntry, double speed);
+  void passTurningPoint(const Upcoming& event);
+  void passApex(const Upcoming& event);
+  void goSlack(const Upcoming& event);
+  void goTaut(const Upcoming& event);
+  void stopSliding(const Upcoming& event);
+
+  /// Ends the weight's piece at s in state `before` and starts another one from `after`.
+  /// The first form leaves it to the caller to foresee what comes.
+  void goOn(int index, double s, const Entries& before, Mode mode, const Entries& after, bool tied);
+  void goOn(int index, double s, const Entries& before, Mode mode, const Entries& after);
+
+  /// Moves a foreseen moment to where `value` of the method's own partial step is zero.
+  /// @param rate  d(value)/ds near there
+  /// @return      nothing if the secant iteration does not settle: the path then decides
+  template <class Value>
+  std::optional<double> polished(double s, double low, double high, double rate, double tolerance,
+                                 const Value& value);
+
+  // Weights in their states.
+  const Piece& pieceAt(int index, double s) const;
+  Eigen::Vector2d rateOf(int index, double s) const;
+  CollidingWeight colliding(int index, Mode mode, const Entries& state) const;
+  Entries pushed(int index, Mode mode, const Entries& state,
+                 const Eigen::Vector2d& velocityChange) const;
+  Entries freed(int index, Mode mode, const Entries& state) const;
+  Mode modeAfterPush(Mode mode, const Entries& after) const;
+  bool isFinite(int index) const;
+  bool comesToRest(double speedAfter, double inwardAcceleration, double radius) const;
+  double slideLoss(int index, const Piece& piece, double s) const;
+
+  WeightState readOut(int index, Mode mode, bool tied, const Entries& state) const;
+  void log(EventKind kind, double s, int weight, const WeightState& before,
+           const WeightState& after, double energyLost, int other = -1);
+
+  std::shared_ptr<const Scene> m_scene;
+  Solver m_solver;
+  std::vector<Body> m_bodies;
+  Stepper m_stepper;
+  ContactTolerance m_tolerance;
+  Foresight m_foresight;
+  double m_startEnergy = 0;
+
+  RunStatus m_status = RunStatus::kRunning;
+  EngineState m_now;     // at time()
+  EngineState m_before;  // at the start of the latest step
+
+  // The latest step.
+  std::vector<Moving> m_moving;
+  std::vector<FinishedPiece> m_finished;
+  std::vector<Box> m_boxes;
+  BroadPhase m_broadPhase;
+  EventQueue m_queue;
+  std::vector<Event> m_events;
+  std::vector<double> m_eventMoments;  // of m_events, from the start of the step [s]
+  bool m_diverged = false;
+};
+
+}  // namespace core

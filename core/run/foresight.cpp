@@ -1,0 +1,170 @@
+#include "core/run/foresight.h"
+
+#include <cmath>
+
+namespace core {
+namespace {
+
+// A rope's path is cut into arcs of at most this turn [rad], so that the cubic through an
+// arc's ends is off by under 10⁻⁶ of the rope's length.
+constexpr double kArc = 0.12;
+// A flight with less sideways speed than this share of its change of vertical speed counts
+// as straight up.
+constexpr double kSteep = 0.05;
+
+Bernstein<3> negated(Bernstein<3> b) {
+  for (double& coefficient : b) coefficient = -coefficient;
+  return b;
+}
+
+/// The entry as a polynomial over [from, end].
+Bernstein<3> entryAfter(const Piece& piece, int index, double from) {
+  const double third = (piece.end - from) / 3;
+  const double first = piece.at(from)[index], last = piece.endState[index];
+  return {first, first + third * piece.rateAt(from)[index],
+          last - third * piece.rateAt(piece.end)[index], last};
+}
+
+/// First place in [0, 1] where the sign changes; a start at zero is not a change.
+std::optional<double> signChange(const Bernstein<3>& b) {
+  if (b[0] != 0) return firstFall<3>(b[0] > 0 ? b : negated(b), 0);
+  const Bernstein<2> rest = withoutRootAtZero<3>(b);
+  if (rest[0] == 0) return std::nullopt;
+  Bernstein<2> oriented = rest;
+  if (rest[0] < 0)
+    for (double& coefficient : oriented) coefficient = -coefficient;
+  return firstFall<2>(oriented, 0);
+}
+
+/// First place in [0, 1] where the value falls below zero; one that starts at zero falls there
+/// only if it goes down.
+std::optional<double> fallBelowZero(const Bernstein<3>& b) {
+  if (b[0] != 0) return firstFall<3>(b, 0);
+  const Bernstein<2> rest = withoutRootAtZero<3>(b);
+  return rest[0] == 0 ? std::nullopt : firstFall<2>(rest, 0);
+}
+
+/// Where on [from, to] the place u lies.
+std::optional<double> momentOf(std::optional<double> u, double from, double to) {
+  if (!u) return std::nullopt;
+  return from + *u * (to - from);
+}
+
+}  // namespace
+
+std::optional<Foresight::Moment> Foresight::meeting(const Body& a, const Piece& pieceA,
+                                                    const Body& b, const Piece& pieceB) const {
+  return meetingBetween(a, pieceA, b, pieceB, std::max(pieceA.begin, pieceB.begin),
+                        std::min(pieceA.end, pieceB.end));
+}
+
+std::optional<Foresight::Moment> Foresight::meetingBetween(const Body& a, const Piece& pieceA,
+                                                           const Body& b, const Piece& pieceB,
+                                                           double from, double to) const {
+  if (!boxOf(a, pieceA, from, to).meets(boxOf(b, pieceB, from, to))) return std::nullopt;
+  if (turnWithin(pieceA, from, to) > kArc || turnWithin(pieceB, from, to) > kArc) {
+    const double middle = 0.5 * (from + to);
+    if (middle <= from || middle >= to) return std::nullopt;
+    const std::optional<Moment> early = meetingBetween(a, pieceA, b, pieceB, from, middle);
+    return early ? early : meetingBetween(a, pieceA, b, pieceB, middle, to);
+  }
+  const std::optional<Contact> contact =
+      firstContact(pathOf(a, pieceA, from, to), pathOf(b, pieceB, from, to), a.radius + b.radius,
+                   to - from, m_tolerance);
+  if (!contact) return std::nullopt;
+  return Moment{from + contact->u * (to - from), contact->pressing};
+}
+
+std::optional<Foresight::WallMoment> Foresight::wall(const Body& body, const Piece& piece) const {
+  if (piece.mode == Mode::kHeld) return std::nullopt;
+  return wallBetween(body, piece, piece.begin, piece.end);
+}
+
+std::optional<Foresight::WallMoment> Foresight::wallBetween(const Body& body, const Piece& piece,
+                                                            double from, double to) const {
+  const Box box = boxOf(body, piece, from, to);
+  const bool inside = (box.low.array() > m_tolerance.gap).all() &&
+                      box.high.x() < m_room.width - m_tolerance.gap &&
+                      box.high.y() < m_room.height - m_tolerance.gap;
+  if (inside) return std::nullopt;
+  if (turnWithin(piece, from, to) > kArc) {
+    const double middle = 0.5 * (from + to);
+    if (middle <= from || middle >= to) return std::nullopt;
+    const std::optional<WallMoment> early = wallBetween(body, piece, from, middle);
+    return early ? early : wallBetween(body, piece, middle, to);
+  }
+  const Path path = pathOf(body, piece, from, to);
+  std::optional<WallMoment> first;
+  const auto look = [&](int axis, double wall, double inward, Upcoming::Kind kind) {
+    Bernstein<3> distance = path.coordinate(axis);
+    for (double& d : distance) d = inward * (d - wall) - body.radius;
+    const std::optional<Contact> contact = firstWallContact(distance, to - from, m_tolerance);
+    if (!contact) return;
+    const double time = from + contact->u * (to - from);
+    if (!first || time < first->time) first = WallMoment{{time, contact->pressing}, kind};
+  };
+  if (piece.mode != Mode::kSlide) look(1, 0, 1, Upcoming::Kind::kFloor);
+  look(1, m_room.height, -1, Upcoming::Kind::kCeiling);
+  look(0, 0, 1, Upcoming::Kind::kWest);
+  look(0, m_room.width, -1, Upcoming::Kind::kEast);
+  return first;
+}
+
+std::optional<double> Foresight::turningPoint(const Piece& piece, double from) const {
+  if (piece.mode != Mode::kSwing || from >= piece.end) return std::nullopt;
+  if (from <= piece.begin) return momentOf(signChange(piece.entry(2)), piece.begin, piece.end);
+  Bernstein<3> rest = entryAfter(piece, 2, from);
+  rest[0] = 0;  // `from` is the turning point before
+  return momentOf(signChange(rest), from, piece.end);
+}
+
+std::optional<double> Foresight::apex(const Piece& piece) const {
+  if (piece.mode != Mode::kFlight) return std::nullopt;
+  const double change = std::abs(piece.endState[3] - piece.beginState[3]);
+  if (piece.beginState[3] <= 0 || std::abs(piece.beginState[2]) > kSteep * change)
+    return std::nullopt;
+  return momentOf(signChange(piece.entry(3)), piece.begin, piece.end);
+}
+
+double Foresight::tension(const Body& body, const Entries& state) const {
+  return m_gravity * std::cos(state[0]) + body.length * state[2] * state[2];
+}
+
+std::optional<double> Foresight::slack(const Body& body, const Piece& piece) const {
+  if (piece.mode != Mode::kSwing || body.rigid) return std::nullopt;
+  return slackBetween(body, piece, piece.begin, piece.end);
+}
+
+std::optional<double> Foresight::slackBetween(const Body& body, const Piece& piece, double from,
+                                              double to) const {
+  const double middle = 0.5 * (from + to);
+  if (turnWithin(piece, from, to) > kArc && from < middle && middle < to) {
+    const std::optional<double> early = slackBetween(body, piece, from, middle);
+    return early ? early : slackBetween(body, piece, middle, to);
+  }
+  const auto rate = [&](double s, const Entries& state) {
+    const Entries slope = piece.rateAt(s);
+    return -m_gravity * std::sin(state[0]) * slope[0] + 2 * body.length * state[2] * slope[2];
+  };
+  const Entries begin = piece.at(from), end = piece.at(to);
+  const double third = (to - from) / 3;
+  const double first = tension(body, begin), last = tension(body, end);
+  return momentOf(
+      firstFall<3>({first, first + third * rate(from, begin), last - third * rate(to, end), last},
+                   0),
+      from, to);
+}
+
+std::optional<double> Foresight::taut(const Body& body, const Piece& piece) const {
+  if (!piece.tied || isTethered(piece.mode)) return std::nullopt;
+  return momentOf(firstTaut(pathOf(body, piece, piece.begin, piece.end), body.pivot, body.length,
+                            piece.end - piece.begin, m_tolerance),
+                  piece.begin, piece.end);
+}
+
+std::optional<double> Foresight::stop(const Piece& piece) const {
+  if (piece.mode != Mode::kSlide || piece.beginState[2] == 0) return std::nullopt;
+  return momentOf(signChange(piece.entry(2)), piece.begin, piece.end);
+}
+
+}  // namespace core

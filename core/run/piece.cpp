@@ -1,0 +1,83 @@
+#include "core/run/piece.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+Entries Piece::at(double s) const {
+  const double duration = end - begin;
+  const double elapsed = s - begin;
+  if (elapsed >= duration) return endState;
+  if (elapsed <= 0) return beginState;
+  if (straight) return beginState + elapsed * beginSlope;
+  const double u = elapsed / duration;
+  return beginState + u * u * (3 - 2 * u) * (endState - beginState) +
+         elapsed * (1 - u) * ((1 - u) * beginSlope - u * endSlope);
+}
+
+Entries Piece::rateAt(double s) const {
+  const double duration = end - begin;
+  if (straight || duration <= 0) return beginSlope;
+  const double u = std::clamp((s - begin) / duration, 0.0, 1.0);
+  return 6 * u * (1 - u) / duration * (endState - beginState) + (1 - u) * (1 - 3 * u) * beginSlope +
+         u * (3 * u - 2) * endSlope;
+}
+
+Bernstein<3> Piece::entry(int index) const {
+  const double third = (end - begin) / 3;
+  const double first = beginState[index], last = endState[index];
+  const double lastSlope = straight ? beginSlope[index] : endSlope[index];
+  return {first, first + third * beginSlope[index], last - third * lastSlope, last};
+}
+
+Eigen::Vector2d positionOf(const Body& body, Mode mode, const Entries& state) {
+  if (!isTethered(mode)) return {state[0], state[1]};
+  return body.pivot + body.length * Eigen::Vector2d(std::sin(state[0]), -std::cos(state[0]));
+}
+
+Eigen::Vector2d velocityOf(const Body& body, Mode mode, const Entries& state) {
+  if (!isTethered(mode)) return {state[2], state[3]};
+  return body.length * state[2] * trackOf(state);
+}
+
+Eigen::Vector2d trackOf(const Entries& state) {
+  return {std::cos(state[0]), std::sin(state[0])};
+}
+
+double turnWithin(const Piece& piece, double from, double to) {
+  if (piece.mode != Mode::kSwing) return 0;
+  const double duration = to - from;
+  const double begin = piece.at(from)[0], end = piece.at(to)[0];
+  if (piece.straight) return std::abs(end - begin);
+  const double second = begin + duration / 3 * piece.rateAt(from)[0];
+  const double third = end - duration / 3 * piece.rateAt(to)[0];
+  return std::abs(second - begin) + std::abs(third - second) + std::abs(end - third);
+}
+
+Path pathOf(const Body& body, const Piece& piece, double from, double to) {
+  const Entries begin = piece.at(from), end = piece.at(to);
+  Entries beginMoving = begin, endMoving = end;
+  beginMoving.segment<2>(2) = piece.rateAt(from).segment<2>(0);
+  endMoving.segment<2>(2) = piece.rateAt(to).segment<2>(0);
+  if (isTethered(piece.mode)) {
+    beginMoving[2] = piece.rateAt(from)[0];
+    endMoving[2] = piece.rateAt(to)[0];
+  }
+  return Path::through(positionOf(body, piece.mode, begin),
+                       velocityOf(body, piece.mode, beginMoving), positionOf(body, piece.mode, end),
+                       velocityOf(body, piece.mode, endMoving), to - from);
+}
+
+Box boxOf(const Body& body, const Piece& piece, double from, double to) {
+  if (!isTethered(piece.mode)) return boxAround(pathOf(body, piece, from, to), body.radius);
+  // Every place on the arc is within the arc's length of its start, and on the circle.
+  const Eigen::Vector2d start = positionOf(body, piece.mode, piece.at(from));
+  const double reach = body.length * turnWithin(piece, from, to);
+  const Eigen::Vector2d disc(body.radius, body.radius);
+  const Eigen::Vector2d arc = disc + Eigen::Vector2d(reach, reach);
+  const Eigen::Vector2d circle = disc + Eigen::Vector2d(body.length, body.length);
+  return {(start - arc).cwiseMax(body.pivot - circle), (start + arc).cwiseMin(body.pivot + circle)};
+}
+
+}  // namespace core

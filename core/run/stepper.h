@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/methods/method.h"
+#include "core/run/piece.h"
+
+namespace core {
+
+/// Moves one weight by one method through one scene's air and gravity.
+class Stepper {
+ public:
+  /// @param method    a row of the method table
+  /// @param gravity   g [m/s²]
+  /// @param friction  μ of the floor [-]
+  Stepper(const Method& method, double gravity, double friction);
+
+  const Method& method() const { return *m_method; }
+
+  /// d(state)/dt of the weight in that mode.
+  Entries slope(const Body& body, Mode mode, const Entries& state);
+
+  /// Fills in the end of a piece whose begin, end, mode and beginState are set: one step of
+  /// the method from its begin to its end.
+  void fill(const Body& body, Piece& piece);
+
+  /// The state after a step of the method from the piece's begin to s, which may lie
+  /// anywhere in [begin, end]. Agrees with the path to the method's order, and is what
+  /// moments of events are polished with.
+  Entries partial(const Body& body, const Piece& piece, double s);
+
+  /// Nothing moves: held against a wall, or at a stop on the floor.
+  static bool isStill(const Piece& piece);
+
+  /// Slope evaluations so far.
+  std::int64_t evaluations() const { return m_evaluations; }
+  void setEvaluations(std::int64_t count) { m_evaluations = count; }
+
+ private:
+  Entries step(const Body& body, const Piece& piece, double duration);
+
+  const Method* m_method;
+  std::size_t m_index;
+  double m_gravity;
+  double m_friction;  // μ g [m/s²]
+  std::int64_t m_evaluations = 0;
+};
+
+}  // namespace core
