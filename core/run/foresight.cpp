@@ -150,8 +150,7 @@ std::optional<double> Foresight::slackBetween(const Body& body, const Piece& pie
   const double third = (to - from) / 3;
   const double first = tension(body, begin), last = tension(body, end);
   return momentOf(
-      firstFall<3>({first, first + third * rate(from, begin), last - third * rate(to, end), last},
-                   0),
+      fallBelowZero({first, first + third * rate(from, begin), last - third * rate(to, end), last}),
       from, to);
 }
 
