@@ -66,7 +66,8 @@ std::optional<Contact> firstWallContact(const Bernstein<3>& distance, double dur
 }
 
 std::optional<double> firstTaut(const Path& path, const Eigen::Vector2d& pivot, double length,
-                                double duration, const ContactTolerance& tolerance) {
+                                double duration, double outwardAcceleration,
+                                const ContactTolerance& tolerance) {
   const Path fixed{{pivot, pivot, pivot, pivot}};
   Bernstein<6> room = squaredDistance(path, fixed);
   const double startDistance = std::sqrt(room[0]);
@@ -76,11 +77,10 @@ std::optional<double> firstTaut(const Path& path, const Eigen::Vector2d& pivot, 
   const double still = tolerance.speed * duration;
   if (closing > still) return 0.0;
   if (closing < -still) return firstFall<5>(withoutRootAtZero<6>(room), 0);
-  const Bernstein<4> bending = withoutRootAtZero<5>(withoutRootAtZero<6>(room));
-  const double largest = std::abs(*std::ranges::max_element(
-      bending, {}, [](double coefficient) { return std::abs(coefficient); }));
-  const double rounding = 2 * length * tolerance.gap + 1e-9 * largest;
-  if (std::abs(bending[0]) > rounding) return firstFall<4>(bending, 0);
+  if (outwardAcceleration > 0) return 0.0;
+  Bernstein<4> bending = withoutRootAtZero<5>(withoutRootAtZero<6>(room));
+  bending[0] = -length * outwardAcceleration * duration * duration;
+  if (bending[0] > 2 * length * tolerance.gap) return firstFall<4>(bending, 0);
   // A rope that just went slack: neither speed nor acceleration leads away from the circle,
   // only the third order opens the rope.
   return firstFall<3>(withoutRootAtZero<4>(bending), 2 * length * tolerance.gap);

@@ -150,15 +150,23 @@ std::optional<double> Foresight::slackBetween(const Body& body, const Piece& pie
   const double third = (to - from) / 3;
   const double first = tension(body, begin), last = tension(body, end);
   return momentOf(
-      firstFall<3>({first, first + third * rate(from, begin), last - third * rate(to, end), last},
-                   0),
+      fallBelowZero({first, first + third * rate(from, begin), last - third * rate(to, end), last}),
       from, to);
 }
 
 std::optional<double> Foresight::taut(const Body& body, const Piece& piece) const {
   if (!piece.tied || isTethered(piece.mode)) return std::nullopt;
+  const Eigen::Vector2d out = positionOf(body, piece.mode, piece.beginState) - body.pivot;
+  const Eigen::Vector2d radial = out.normalized();
+  const Eigen::Vector2d velocity = velocityOf(body, piece.mode, piece.beginState);
+  const Eigen::Vector2d acceleration = piece.beginSlope.segment<2>(2).transpose();
+  const double around = velocity.x() * radial.y() - velocity.y() * radial.x();
+  const double outward = around * around / body.length + acceleration.dot(radial);
+  // Where the tension falls to zero the two cancel, up to rounding.
+  const double rounding = 1e-12 * (acceleration.norm() + std::abs(outward));
   return momentOf(firstTaut(pathOf(body, piece, piece.begin, piece.end), body.pivot, body.length,
-                            piece.end - piece.begin, m_tolerance),
+                            piece.end - piece.begin,
+                            outward > rounding ? outward : std::min(outward, 0.0), m_tolerance),
                   piece.begin, piece.end);
 }
 
