@@ -11,6 +11,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QShowEvent>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -41,11 +42,17 @@ namespace {
 
 constexpr QSize kFirstSize(1600, 900);
 constexpr int kLeastChartHeight = 260;
+constexpr double kChartShare = 0.36;  // of the window's height
 constexpr int kMessageTime = 6000;  // ms
 
-/// Forms scroll rather than squeeze.
+/// As high as its form if there is room; where there is not, it scrolls rather than squeezes.
+class FormArea : public QScrollArea {
+ public:
+  QSize sizeHint() const override { return widget()->sizeHint(); }
+};
+
 QScrollArea* scrolling(QWidget* form) {
-  auto* area = new QScrollArea;
+  auto* area = new FormArea;
   area->setWidget(form);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
@@ -72,7 +79,9 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
       m_controller, [this] { return m_energy->chosenRuns(); }, this);
   m_appearance->setChoice(Settings().theme());
   setWindowIcon(icon("angrycuts"));
-  resize(kFirstSize.boundedTo(screen()->availableSize()));
+  const QSize available = screen()->availableSize();
+  resize(kFirstSize.boundedTo(available));
+  if (kFirstSize.boundedTo(available) != kFirstSize) setWindowState(Qt::WindowMaximized);
   buildCentre();
   buildPanels();
   buildMenus();
@@ -83,7 +92,6 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectView();
   startScene();
   showTitle();
-  sizePanels();
 }
 
 MainWindow::~MainWindow() = default;
@@ -122,11 +130,16 @@ void MainWindow::buildPanels() {
 
 /// The scene gets most of the window, and the chart what it needs to be read.
 void MainWindow::sizePanels() {
-  const int chartHeight = std::max(kLeastChartHeight, height() * 3 / 10);
+  const int chartHeight = std::max(kLeastChartHeight, static_cast<int>(height() * kChartShare));
   resizeDocks({findChild<QDockWidget*>("energy")}, {chartHeight}, Qt::Vertical);
-  QDockWidget* runs = findChild<QDockWidget*>("runs");
-  resizeDocks({findChild<QDockWidget*>("scene"), runs}, {height(), runs->sizeHint().height()},
-              Qt::Vertical);
+  auto* runs = findChild<QDockWidget*>("runs");
+  resizeDocks({runs}, {runs->sizeHint().height()}, Qt::Vertical);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (!event->spontaneous() && !m_panelsSized) sizePanels();
+  m_panelsSized = true;
 }
 
 QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,

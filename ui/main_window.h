@@ -44,6 +44,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void buildCentre();
@@ -81,6 +82,7 @@ class MainWindow : public QMainWindow {
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
+  bool m_panelsSized = false;  // once: from then on the user decides
 };
 
 }  // namespace ui
