@@ -131,7 +131,7 @@ void EnergyChartTest::staysSmallAfterAnHour() {
   for (const QAbstractSeries* series : chart.chart()->series()) {
     points += qobject_cast<const QLineSeries*>(series)->count();
   }
-  QVERIFY(points <= 14000);
+  QVERIFY(points <= 10000);
   // Dashes along thousands of swings would take most of the time.
   QCOMPARE(curveNamed(chart, "Kinetic, Euler")->pen().style(), Qt::SolidLine);
   QCOMPARE(curveNamed(chart, "Total, Euler")->pen().style(), Qt::CustomDashLine);
