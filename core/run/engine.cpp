@@ -46,7 +46,7 @@ WeightRecord Engine::startRecord(const Weight& weight, const Body& body) const {
   record.mode = Mode::kFlight;
   const Eigen::Vector2d position = startPosition(weight);
   const Eigen::Vector2d velocity = startVelocity(weight);
-  record.state << position.x(), position.y(), velocity.x(), velocity.y(), 0;
+  record.state = flightEntries(position, velocity, 0);
   const bool lies = position.y() - body.radius <= m_tolerance.gap && velocity.y() == 0;
   if (lies && m_scene->gravity > 0) record.mode = Mode::kSlide;
   return record;
@@ -214,7 +214,7 @@ void Engine::cutNow(int weight) {
     if (isTethered(record.mode)) {
       const Eigen::Vector2d position = positionOf(m_bodies[i], record.mode, record.state);
       const Eigen::Vector2d velocity = velocityOf(m_bodies[i], record.mode, record.state);
-      record.state << position, velocity, record.state[4];
+      record.state = flightEntries(position, velocity, record.state[4]);
       record.mode = Mode::kFlight;
     }
     record.tied = false;

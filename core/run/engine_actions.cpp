@@ -111,10 +111,8 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
 
 Entries Engine::freed(int index, Mode mode, const Entries& state) const {
   if (!isTethered(mode)) return state;
-  Entries result;
-  result << positionOf(m_bodies[index], mode, state), velocityOf(m_bodies[index], mode, state),
-      state[4];
-  return result;
+  return flightEntries(positionOf(m_bodies[index], mode, state),
+                       velocityOf(m_bodies[index], mode, state), state[4]);
 }
 
 void Engine::cutAllAt(double s) {

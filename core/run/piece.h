@@ -29,6 +29,10 @@ inline bool isTethered(Mode mode) {
 ///     kSlide            x [m], y [m], v_x [m/s], 0, Q [J]
 using Entries = FlightState<>;
 
+/// The entries of a weight in flight: center [m], velocity [m/s], energy lost to air [J].
+Entries flightEntries(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity,
+                      double lostToAir);
+
 /// A weight between two events of one step, or the whole step if there are none. Times
 /// count from the start of the step.
 struct Piece {

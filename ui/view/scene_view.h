@@ -51,10 +51,22 @@ class SceneView : public QWidget {
 
  public slots:
   void fitRoom();
+  /// Enlarges or shrinks the picture around its middle, as one notch of the wheel does twice.
+  void zoomIn();
+  void zoomOut();
 
  signals:
   /// Another painter draws from now on, by choice or because OpenGL was lost.
   void painterChanged();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
 
  private:
   class Content;

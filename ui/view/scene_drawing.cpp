@@ -1,0 +1,33 @@
+#include "ui/view/scene_drawing.h"
+
+#include "ui/view/legend.h"
+#include "ui/view/room_drawing.h"
+#include "ui/view/scene_look.h"
+#include "ui/view/shown_scene.h"
+#include "ui/view/weight_drawing.h"
+
+namespace ui {
+
+Drawing sceneDrawing(const ShownScene& shown, const Trails& trails, const Camera& camera,
+                     const SceneLook& look) {
+  Drawing drawing;
+  drawing.background = look.theme.background.rgb();
+  const core::Room& room = shown.scene.room;
+  const Ruler ruler = roomRuler(room, camera, look);
+  drawRoom(room, ruler, camera, look, drawing);
+  drawNumbers(room, ruler, camera, look, drawing);
+  drawTrails(shown, trails, look, drawing);
+  drawRopes(shown, look, drawing);
+  drawWeights(shown, camera, look, drawing);
+  drawLegend(shown.runs, ruler, enlargesWeights(shown, camera), camera, look, drawing);
+  return drawing;
+}
+
+QMarginsF sceneMargins(const ShownScene& shown, const SceneLook& look, double width) {
+  const double height = lineHeight(look.font);
+  const double numbersWidth = widthOf(QStringLiteral("00.00 m"), look.font);
+  const double top = look.headerHeight + legendHeight(shown.runs, look, width);
+  return {numbersWidth + 20, top, numbersWidth / 2 + 10, height + 20};
+}
+
+}  // namespace ui

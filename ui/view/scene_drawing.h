@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QMarginsF>
+
+#include "ui/view/drawing.h"
+
+namespace ui {
+
+class Camera;
+class Trails;
+struct SceneLook;
+struct ShownScene;
+
+/// Everything there is to see of runs at one moment, as the camera sees it.
+Drawing sceneDrawing(const ShownScene& shown, const Trails& trails, const Camera& camera,
+                     const SceneLook& look);
+
+/// Room around the fitted room for numbers and legend [px].
+/// @param width  of the picture [px]
+QMarginsF sceneMargins(const ShownScene& shown, const SceneLook& look, double width);
+
+}  // namespace ui

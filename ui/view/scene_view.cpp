@@ -1,0 +1,257 @@
+#include "ui/view/scene_view.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "ui/view/opengl_probe.h"
+#include "ui/view/scene_canvas.h"
+#include "ui/view/scene_drawing.h"
+#include "ui/view/scene_look.h"
+#include "ui/view/shown_scene.h"
+#include "ui/view/trails.h"
+
+namespace ui {
+
+namespace {
+
+constexpr double kZoomPerNotch = 1.15;
+constexpr double kDegreesPerNotch = 15 * 8;  // as QWheelEvent counts
+constexpr double kTrailFallTimes = 2.5;      // how far back trails reach, in fall times
+
+QSizeF roomSize(const ShownScene& shown) {
+  return {shown.scene.room.width, shown.scene.room.height};
+}
+
+}  // namespace
+
+class SceneView::Content {
+ public:
+  explicit Content(SceneView* view) : m_view(view) {
+    readLook();
+    chooseCanvas();
+  }
+
+  void setRuns(std::vector<const core::Run*> runs) {
+    const QSizeF before = roomSize(m_shown);
+    m_runs = std::move(runs);
+    m_shown = shownScene(m_runs);
+    m_trails.reset(static_cast<int>(m_runs.size()), static_cast<int>(m_shown.colors.size()),
+                   kTrailFallTimes * fallTime(m_shown.scene));
+    m_trails.record(m_shown.time, m_shown.runs);
+    if (m_isFitted || roomSize(m_shown) != before) fit();
+    repaint();
+  }
+
+  void showTime(double time) {
+    if (m_openGlCanvas && m_openGlCanvas->isLost()) loseOpenGl();
+    readWeights(m_runs, time, m_shown);
+    m_trails.record(time, m_shown.runs);
+    repaint();
+  }
+
+  void clearTrails() {
+    m_trails.clear();
+    m_trails.record(m_shown.time, m_shown.runs);
+    repaint();
+  }
+
+  void setTrailsShown(bool shown) {
+    m_look.trails = shown;
+    repaint();
+  }
+
+  void setChoice(PainterChoice choice) {
+    if (choice == m_choice) return;
+    m_choice = choice;
+    chooseCanvas();
+    emit m_view->painterChanged();
+  }
+
+  QString painterDescription() const {
+    if (m_openGlCanvas)
+      return SceneView::tr("OpenGL %1 (%2)").arg(m_support->version, m_support->renderer);
+    if (m_choice == PainterChoice::kQPainter) return SceneView::tr("QPainter");
+    if (!m_support->usable) return SceneView::tr("QPainter (no OpenGL 3.3)");
+    return SceneView::tr("QPainter (software OpenGL would be slower)");
+  }
+
+  void fit() {
+    m_isFitted = true;
+    placeCamera();
+    m_camera.fit(roomSize(m_shown), sceneMargins(m_shown, m_look, m_view->width()));
+    repaint();
+  }
+
+  void resize() {
+    m_canvas->setGeometry(m_view->rect());
+    placeCamera();
+    if (m_isFitted) fit();
+  }
+
+  void zoomAt(QPointF pixel, double factor) {
+    m_isFitted = false;
+    m_camera.zoomAt(pixel, factor);
+    repaint();
+  }
+
+  void startPan(QPointF pixel) {
+    m_panFrom = pixel;
+    m_view->setCursor(Qt::ClosedHandCursor);
+  }
+
+  void pan(QPointF pixel) {
+    if (!m_panFrom) return;
+    m_isFitted = false;
+    m_camera.panBy(pixel - *m_panFrom);
+    m_panFrom = pixel;
+    repaint();
+  }
+
+  void endPan() {
+    m_panFrom.reset();
+    m_view->unsetCursor();
+  }
+
+  void readLook() {
+    m_look.theme = Theme::of(m_view->palette());
+    m_look.font = readableFont(m_view->font());
+    if (m_canvas) repaint();
+  }
+
+ private:
+  void repaint() { m_canvas->update(); }
+
+  void placeCamera() {
+    const QSizeF size(std::max(m_view->width(), 1), std::max(m_view->height(), 1));
+    m_camera.setViewport(size, m_view->devicePixelRatioF());
+  }
+
+  Frame frame(QSize size, double devicePixelRatio) {
+    m_camera.setViewport(size, devicePixelRatio);
+    return {m_camera, sceneDrawing(m_shown, m_trails, m_camera, m_look)};
+  }
+
+  bool wantsOpenGl() {
+    if (m_choice == PainterChoice::kQPainter) return false;
+    if (!m_support) m_support = probeOpenGl();
+    return m_support->usable && (m_choice == PainterChoice::kOpenGl || !m_support->software);
+  }
+
+  void chooseCanvas() {
+    const bool openGl = wantsOpenGl();
+    if (m_canvas && openGl == (m_openGlCanvas != nullptr)) return;
+    // Later, because a canvas may be painting right now when it is found to be of no use.
+    if (m_canvas) m_canvas->deleteLater();
+    if (m_canvas) m_canvas->hide();
+    const auto source = [this](QSize size, double ratio) { return frame(size, ratio); };
+    m_openGlCanvas = openGl ? new OpenGlCanvas(source, m_view) : nullptr;
+    m_canvas = m_openGlCanvas;
+    if (!openGl) m_canvas = new PainterCanvas(source, m_view);
+    if (openGl)
+      connect(
+          m_openGlCanvas, &OpenGlCanvas::failed, m_view, [this] { loseOpenGl(); },
+          Qt::QueuedConnection);
+    m_canvas->setGeometry(m_view->rect());
+    m_canvas->setVisible(true);
+  }
+
+  void loseOpenGl() {
+    m_support = OpenGlSupport();
+    chooseCanvas();
+    emit m_view->painterChanged();
+  }
+
+  SceneView* m_view;
+  // The one canvas there is, of either kind; owned by the view.
+  QWidget* m_canvas = nullptr;
+  OpenGlCanvas* m_openGlCanvas = nullptr;
+  PainterChoice m_choice = PainterChoice::kAutomatic;
+  std::optional<OpenGlSupport> m_support;
+
+  std::vector<const core::Run*> m_runs;
+  ShownScene m_shown;
+  Trails m_trails;
+  SceneLook m_look;
+  Camera m_camera;
+  bool m_isFitted = true;
+  std::optional<QPointF> m_panFrom;
+};
+
+SceneView::SceneView(QWidget* parent)
+    : QWidget(parent), m_content(std::make_unique<Content>(this)) {
+  setMinimumSize(240, 180);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  setAccessibleName(tr("Scene"));
+}
+
+SceneView::~SceneView() = default;
+
+void SceneView::setRuns(std::vector<const core::Run*> runs) {
+  m_content->setRuns(std::move(runs));
+}
+void SceneView::showTime(double time) {
+  m_content->showTime(time);
+}
+void SceneView::clearTrails() {
+  m_content->clearTrails();
+}
+void SceneView::setTrailsShown(bool shown) {
+  m_content->setTrailsShown(shown);
+}
+void SceneView::setPainterChoice(PainterChoice choice) {
+  m_content->setChoice(choice);
+}
+QString SceneView::painterDescription() const {
+  return m_content->painterDescription();
+}
+void SceneView::fitRoom() {
+  m_content->fit();
+}
+
+void SceneView::zoomIn() {
+  m_content->zoomAt(QRectF(rect()).center(), std::pow(kZoomPerNotch, 2));
+}
+
+void SceneView::zoomOut() {
+  m_content->zoomAt(QRectF(rect()).center(), std::pow(kZoomPerNotch, -2));
+}
+
+void SceneView::resizeEvent(QResizeEvent*) {
+  m_content->resize();
+}
+
+void SceneView::changeEvent(QEvent* event) {
+  const bool looksDifferent = event->type() == QEvent::PaletteChange ||
+                              event->type() == QEvent::FontChange ||
+                              event->type() == QEvent::LanguageChange;
+  if (looksDifferent) m_content->readLook();
+  QWidget::changeEvent(event);
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / kDegreesPerNotch;
+  m_content->zoomAt(event->position(), std::pow(kZoomPerNotch, notches));
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) m_content->startPan(event->position());
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  m_content->pan(event->position());
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) m_content->endPan();
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) fitRoom();
+}
+
+}  // namespace ui
