@@ -132,7 +132,7 @@ void EnergyChart::Content::applyLook() {
   remember();
 }
 
-EnergyChart::EnergyChart(QWidget* parent) : QChartView(new QChart, parent), m_content(nullptr) {
+EnergyChart::EnergyChart(QWidget* parent) : QChartView(new QChart, parent) {
   setRenderHint(QPainter::Antialiasing);
   setFrameShape(QFrame::NoFrame);
   setMinimumSize(kLeastSize);

@@ -53,6 +53,10 @@ void EnergyPlot::setLeastTime(double time) {
   m_leastTime = time;
 }
 
+void EnergyPlot::setMostPoints(std::size_t most) {
+  m_mostPoints = most;
+}
+
 void EnergyPlot::setRuns(std::vector<ChartedRun> runs) {
   m_runs = std::move(runs);
   m_frame->removeCurves();
