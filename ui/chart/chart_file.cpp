@@ -14,6 +14,7 @@
 #include <QPdfWriter>
 #include <QSaveFile>
 #include <QSvgGenerator>
+#include <QXYSeries>
 
 #include "ui/chart/chart_look.h"
 
@@ -31,6 +32,20 @@ QString tr(const char* text) {
 /// Of the chart in its scene [px].
 QSizeF paperSize(QSizeF millimeters) {
   return millimeters * kPaperDotsPerInch / kMillimetersPerInch;
+}
+
+/// Qt paints solid curves piece by piece, which shows at bends under a magnifying glass and
+/// makes vector files many times larger; curves of dashes it paints whole. So: one dash.
+void paintCurvesWhole(QChart& chart) {
+  constexpr double kLongerThanAnyCurve = 1e5;
+  for (QAbstractSeries* series : chart.series()) {
+    auto* curve = qobject_cast<QXYSeries*>(series);
+    if (curve == nullptr || curve->pen().style() != Qt::SolidLine) continue;
+    QPen pen = curve->pen();
+    pen.setDashPattern({kLongerThanAnyCurve, 1});
+    pen.setJoinStyle(Qt::RoundJoin);
+    curve->setPen(pen);
+  }
 }
 
 void paint(QChart& chart, QPaintDevice& device, const QRectF& target) {
@@ -101,6 +116,7 @@ QString writeChart(QChart& chart, const QString& file, const QString& title, QSi
   }
   chart.resize(paperSize(size));
   chart.layout()->activate();
+  paintCurvesWhole(chart);
   return writeWhole(file, encoded(chart, title, size));
 }
 
