@@ -25,9 +25,9 @@ namespace {
 constexpr double kMillimetersPerInch = 25.4;
 constexpr int kPngDotsPerInch = 2 * kPaperDotsPerInch;
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("ChartFile", text);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ui::ChartFile)
+};
 
 /// Of the chart in its scene [px].
 QSizeF paperSize(QSizeF millimeters) {
@@ -100,7 +100,7 @@ QString writeWhole(const QString& file, const QByteArray& bytes) {
   QSaveFile target(file);
   const bool written =
       target.open(QIODevice::WriteOnly) && target.write(bytes) == bytes.size() && target.commit();
-  return written ? QString() : tr("Cannot write %1: %2").arg(file, target.errorString());
+  return written ? QString() : Words::tr("Cannot write %1: %2").arg(file, target.errorString());
 }
 
 }  // namespace
@@ -112,7 +112,7 @@ QString writeChart(QChart& chart, const QString& file, const QString& title, QSi
                        : ending == "pdf" ? pdf
                                          : nullptr;
   if (encoded == nullptr) {
-    return tr("Cannot write %1: a chart's file ends in .png, .svg or .pdf").arg(file);
+    return Words::tr("Cannot write %1: a chart's file ends in .png, .svg or .pdf").arg(file);
   }
   chart.resize(paperSize(size));
   chart.layout()->activate();

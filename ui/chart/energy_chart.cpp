@@ -102,6 +102,7 @@ void EnergyChart::Content::refresh() {
 
 bool EnergyChart::Content::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::FontChange) applyLook();
+  if (event->type() == QEvent::LanguageChange) draw();
   if (event->type() == QEvent::PaletteChange) setTheme(Theme::of(m_view->palette()));
   if (event->type() == QEvent::Show && hasChanged()) draw();
   return QObject::eventFilter(watched, event);
