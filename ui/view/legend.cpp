@@ -62,8 +62,10 @@ ScaleBar scaleBar(const Ruler& ruler, const Camera& camera, const SceneLook& loo
   ScaleBar bar;
   bar.right = camera.snapped(camera.viewport().width() - kEdge - kMarkerRadius);
   bar.left = camera.snapped(bar.right - ruler.spacing * camera.scale());
-  // In a unit of its own: far from the origin the ruler counts kilometres even in close-ups.
-  bar.words = rulerFor(ruler.spacing, ruler.spacing).textAt(ruler.spacing);
+  // Far from the origin the ruler counts kilometres even in close-ups.
+  const bool isReadable = ruler.spacing >= 0.01 * ruler.unit;
+  const Ruler own = isReadable ? ruler : rulerFor(ruler.spacing, ruler.spacing);
+  bar.words = own.textAt(ruler.spacing);
   bar.wordsLeft = bar.left - widthOf(bar.words, look.font) - kEdge;
   return bar;
 }

@@ -49,7 +49,8 @@ void addTitle(const ShownScene& shown, const QFont& font, const SceneLook& look,
   add(right, time);
 }
 
-Picture pictureOf(const ShownScene& shown, QSize size, double devicePixelRatio) {
+Picture pictureOf(const ShownScene& shown, const Trails& trails, QSize size,
+                  double devicePixelRatio) {
   SceneLook look{Theme::light(), readableFont(QGuiApplication::font())};
   look.theme.background = Qt::white;
   QFont titleFont = look.font;
@@ -63,7 +64,7 @@ Picture pictureOf(const ShownScene& shown, QSize size, double devicePixelRatio) 
   picture.camera.setViewport(size, devicePixelRatio);
   picture.camera.fit(QSizeF(shown.scene.room.width, shown.scene.room.height),
                      sceneMargins(shown, look, size.width()));
-  picture.drawing = sceneDrawing(shown, Trails(), picture.camera, look);
+  picture.drawing = sceneDrawing(shown, trails, picture.camera, look);
   addTitle(shown, titleFont, look, picture);
   return picture;
 }
@@ -123,13 +124,16 @@ QString save(const QString& file, const QByteArray& bytes) {
 }  // namespace
 
 QString writeScenePicture(const QString& file, const std::vector<const core::Run*>& runs,
-                          double time, QSize size) {
+                          double time, QSize size, const Trails* trails) {
   ShownScene shown = shownScene(runs);
   readWeights(runs, time, shown);
+  const auto picture = [&](double devicePixelRatio) {
+    return pictureOf(shown, trails ? *trails : Trails(), size, devicePixelRatio);
+  };
   const QString ending = QFileInfo(file).suffix().toLower();
-  if (ending == QLatin1String("png")) return save(file, pngOf(pictureOf(shown, size, kPngScale)));
-  if (ending == QLatin1String("svg")) return save(file, svgOf(pictureOf(shown, size, 1)));
-  if (ending == QLatin1String("pdf")) return save(file, pdfOf(pictureOf(shown, size, 1)));
+  if (ending == QLatin1String("png")) return save(file, pngOf(picture(kPngScale)));
+  if (ending == QLatin1String("svg")) return save(file, svgOf(picture(1)));
+  if (ending == QLatin1String("pdf")) return save(file, pdfOf(picture(1)));
   return tr("%1: a picture's name must end in .png, .svg or .pdf").arg(file);
 }
 

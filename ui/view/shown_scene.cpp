@@ -58,9 +58,4 @@ void readWeights(const std::vector<const core::Run*>& runs, double time, ShownSc
   }
 }
 
-double fallTime(const core::Scene& scene) {
-  if (scene.gravity <= 0) return 1;
-  return std::sqrt(2 * scene.room.height / scene.gravity);
-}
-
 }  // namespace ui
