@@ -75,7 +75,7 @@ void OpenGlRendererTest::looksLikeTheOtherPainter() {
   const ImageDifference difference = differenceOf(imageOf(drawing, camera), expected);
   // One formula, computed twice: colors round differently, and at the edges between joined
   // strokes a pixel may fall to the one or the other.
-  QVERIFY2(difference.mean < 0.25, qPrintable(difference.inWords()));
+  QVERIFY2(difference.mean < 0.1, qPrintable(difference.inWords()));
   QVERIFY2(difference.shareApart < 2e-4, qPrintable(difference.inWords()));
 }
 

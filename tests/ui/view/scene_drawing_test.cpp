@@ -115,7 +115,7 @@ void SceneDrawingTest::joinsWeightsThatPartVisibly_data() {
   QTest::addColumn<double>("apart");
   QTest::addColumn<int>("lines");
   QTest::newRow("together") << 0.0 << 0;
-  QTest::newRow("less than the eye sees") << 1e-4 << 0;
+  QTest::newRow("within the outline") << 0.015 << 0;
   QTest::newRow("apart") << 0.1 << 3;
 }
 
