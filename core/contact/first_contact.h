@@ -37,15 +37,19 @@ std::optional<Contact> firstContact(const Path& a, const Path& b, double touchin
 /// The same for a disc and a wall: first moment at which `distance` falls to zero.
 ///
 /// @param distance  from the disc's edge to the wall, positive inside the room [m]
-std::optional<Contact> firstWallContact(const Bernstein<3>& distance, double duration,
+/// @param speed     its rate of change at the start [m/s]
+std::optional<Contact> firstWallContact(const Bernstein<3>& distance, double speed, double duration,
                                         const ContactTolerance& tolerance);
 
 /// First moment at which the center's distance from a fixed point rises to `length`: a
 /// slack rope goes taut.
 ///
-/// @param length  [m], > 0; a center on or outside the circle that moves inwards, or along
-///                it to within rounding, is not taut yet
+/// @param length               [m], > 0
+/// @param outwardAcceleration  second derivative of the distance at the start [m/s²]. It
+///                             decides where the weight starts on the circle and along it:
+///                             the path's own second derivative is only good to h².
 std::optional<double> firstTaut(const Path& path, const Eigen::Vector2d& pivot, double length,
-                                double duration, const ContactTolerance& tolerance);
+                                double duration, double outwardAcceleration,
+                                const ContactTolerance& tolerance);
 
 }  // namespace core

@@ -5,6 +5,13 @@
 
 namespace core {
 
+Entries flightEntries(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity,
+                      double lostToAir) {
+  Entries entries;
+  entries << position.x(), position.y(), velocity.x(), velocity.y(), lostToAir;
+  return entries;
+}
+
 Entries Piece::at(double s) const {
   const double duration = end - begin;
   const double elapsed = s - begin;

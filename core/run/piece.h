@@ -29,6 +29,10 @@ inline bool isTethered(Mode mode) {
 ///     kSlide            x [m], y [m], v_x [m/s], 0, Q [J]
 using Entries = FlightState<>;
 
+/// The entries of a weight in flight: center [m], velocity [m/s], energy lost to air [J].
+Entries flightEntries(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity,
+                      double lostToAir);
+
 /// A weight between two events of one step, or the whole step if there are none. Times
 /// count from the start of the step.
 struct Piece {
@@ -36,6 +40,7 @@ struct Piece {
   double end = 0;    ///< [s]
   Mode mode = Mode::kFlight;
   bool tied = false;      ///< to a rope or rod, taut or slack
+  bool settled = false;   ///< one of a group in lasting contact: moves evenly, see engine_resting
   bool straight = false;  ///< every entry changes evenly; else Hermite's cubic
   Entries beginState = Entries::Zero();
   Entries endState = Entries::Zero();

@@ -5,7 +5,7 @@
 #include <QSizeF>
 #include <QString>
 
-#include "ui/chart/energy_chart.h"
+#include "ui/chart/charted_run.h"
 
 namespace ui {
 

@@ -3,21 +3,11 @@
 #include <vector>
 
 #include <QChartView>
-#include <QString>
 
+#include "ui/chart/charted_run.h"
 #include "ui/style/theme.h"
 
-namespace core {
-class Ledger;
-}
-
 namespace ui {
-
-/// One run's energies, with the words that name it in a legend.
-struct ChartedRun {
-  const core::Ledger* ledger = nullptr;
-  QString name;  ///< method and step, such as "RK4, 1/60 s"
-};
 
 /// Energies of one or several runs against time on one scale: kinetic, potential, lost to
 /// air, to impacts, to ropes, to friction (the last two only once they are not zero),

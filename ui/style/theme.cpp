@@ -18,10 +18,10 @@ Theme Theme::light() {
   theme.runs = {QColor("#0072b2"), QColor("#d55e00"), QColor("#007a5a"), QColor("#a3478a")};
   theme.kinetic = QColor("#d55e00");
   theme.potential = QColor("#0072b2");
-  theme.lostToAir = QColor("#2a8fc4");
+  theme.lostToAir = QColor("#007a5a");
   theme.lostToImpacts = QColor("#a3478a");
   theme.lostToRopes = QColor("#8a6d00");
-  theme.lostToFriction = QColor("#007a5a");
+  theme.lostToFriction = QColor("#767d86");
   theme.total = QColor("#1b1f24");
   theme.drift = QColor("#c0002f");
   return theme;
@@ -41,10 +41,10 @@ Theme Theme::darkTheme() {
   theme.runs = {QColor("#56b4e9"), QColor("#ff9d4d"), QColor("#2fd1a2"), QColor("#e29ccb")};
   theme.kinetic = QColor("#ff9d4d");
   theme.potential = QColor("#56b4e9");
-  theme.lostToAir = QColor("#8fd3ff");
+  theme.lostToAir = QColor("#2fd1a2");
   theme.lostToImpacts = QColor("#e29ccb");
   theme.lostToRopes = QColor("#f0e442");
-  theme.lostToFriction = QColor("#2fd1a2");
+  theme.lostToFriction = QColor("#9aa3ad");
   theme.total = QColor("#f0f3f6");
   theme.drift = QColor("#ff6b81");
   return theme;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QString>
+
+#include "app/csv_output.h"
+#include "app/options.h"
+#include "app/sample_clock.h"
+
+namespace core {
+class Run;
+}
+
+namespace app {
+
+/// Trajectory, energies and events of one run as CSV, written while it runs.
+class RunTables {
+ public:
+  explicit RunTables(const SimulateCall& call);
+
+  // Each returns false where it failed and says why in error().
+  bool open();
+  /// Call once before the first step and once after each.
+  bool record(const core::Run& run);
+  bool finish();
+
+  /// One line that names the file; empty if nothing failed.
+  QString error() const;
+
+ private:
+  void recordRow(const core::Run& run, double time);
+  void recordEvents(const core::Run& run);
+
+  double m_until;
+  SampleClock m_clock;
+  CsvOutput m_trajectory;
+  CsvOutput m_energy;
+  CsvOutput m_events;
+};
+
+}  // namespace app

@@ -1,0 +1,200 @@
+#include "ui/files/scene_file.h"
+
+#include <algorithm>
+#include <csignal>
+#include <numbers>
+#include <sys/resource.h>
+
+#include <QtTest>
+
+namespace {
+
+core::Weight swingingWeight() {
+  core::Weight weight;
+  weight.mass = 1.0 / 3;
+  weight.color = core::Color{1, 2, 255};
+  weight.rope = core::Rope{{1.1, 2.7}, 0.7, 2 * std::numbers::pi / 7, -1.0 / 7, true};
+  return weight;
+}
+
+core::Weight freeWeight() {
+  core::Weight weight;
+  weight.radius = 0.1 + 0.2;
+  weight.position = {3, 1.0 / 3};
+  weight.velocity = {-1e-7, 99999.99999};
+  return weight;
+}
+
+/// Every value set, most of them numbers that no short decimal names.
+core::Scene awkwardScene() {
+  core::Scene scene;
+  scene.name = "\"Två\"\\\n\t\x01 🎯";
+  scene.description = "≠";
+  scene.gravity = 1.0 / 3;
+  scene.airDensity = 1e-300;
+  scene.room = {4.000000000000001, 3.1, 0.1, 2.0 / 3};
+  scene.restitution = 0.30000000000000004;
+  scene.cutTime = 1e22;
+  scene.weights = {swingingWeight(), freeWeight()};
+  scene.solvers = {{"euler", 1.0 / 60, 1e-9}, {"rk4", 1e-7, 1e-9}};
+  return scene;
+}
+
+bool areEqual(const core::Rope& a, const core::Rope& b) {
+  return a.pivot == b.pivot && a.length == b.length && a.angle == b.angle &&
+         a.angularVelocity == b.angularVelocity && a.rigid == b.rigid;
+}
+
+bool areEqual(const core::Weight& a, const core::Weight& b) {
+  if (a.rope.has_value() != b.rope.has_value()) return false;
+  if (a.rope && !areEqual(*a.rope, *b.rope)) return false;
+  return a.mass == b.mass && a.radius == b.radius && a.dragCoefficient == b.dragCoefficient &&
+         a.color == b.color && a.position == b.position && a.velocity == b.velocity;
+}
+
+bool areEqual(const core::Solver& a, const core::Solver& b) {
+  return a.method == b.method && a.step == b.step && a.tolerance == b.tolerance;
+}
+
+template <class Entry>
+bool areEqual(const std::vector<Entry>& a, const std::vector<Entry>& b) {
+  return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return areEqual(x, y); });
+}
+
+bool areEqual(const core::Room& a, const core::Room& b) {
+  return a.width == b.width && a.height == b.height && a.restitution == b.restitution &&
+         a.friction == b.friction;
+}
+
+bool areEqual(const core::Scene& a, const core::Scene& b) {
+  return a.name == b.name && a.description == b.description && a.gravity == b.gravity &&
+         a.airDensity == b.airDensity && areEqual(a.room, b.room) &&
+         a.restitution == b.restitution && a.cutTime == b.cutTime &&
+         areEqual(a.weights, b.weights) && areEqual(a.solvers, b.solvers);
+}
+
+core::Scene crowd(int count) {
+  core::Scene scene;
+  scene.room = {1000, 1000, 0.8, 0};
+  for (int i = 0; i < count; ++i) {
+    core::Weight weight;
+    weight.rope =
+        core::Rope{{5 + i % 400 * 2.4 / 1.001, 5 + i / 400 * 3.7}, 0.731, i / 1e6, 0.1, false};
+    scene.weights.push_back(weight);
+  }
+  return scene;
+}
+
+QByteArray contentOf(const QString& file) {
+  QFile input(file);
+  return input.open(QIODevice::ReadOnly) ? input.readAll() : QByteArray("cannot be read");
+}
+
+}  // namespace
+
+class SceneFileTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void savedSceneReadsBackEqual();
+  void writesNumbersAsAPersonWould();
+  void writesTheSameTextAgain();
+  void refusesFilesThatCannotBeRead();
+  void refusesFilesOverSixtyFourMebibytes();
+  void namesWhatKeepsAFileFromBeingWritten();
+  void leavesTheOldFileWhereTheNewOneCannotBeWritten();
+  void opensAHundredThousandWeightsQuickly();
+  void refusesOneWeightTooMany();
+};
+
+void SceneFileTest::savedSceneReadsBackEqual() {
+  QTemporaryDir folder;
+  const QString file = folder.filePath("scene.json");
+  QCOMPARE(ui::writeSceneFile(file, awkwardScene()), QString());
+  const ui::SceneOrError read = ui::readSceneFile(file);
+  QCOMPARE(read.error, QString());
+  QVERIFY(areEqual(*read.scene, awkwardScene()));
+}
+
+void SceneFileTest::writesNumbersAsAPersonWould() {
+  const QByteArray text = ui::sceneText(ui::builtInScene("seven-weights"));
+  QVERIFY(text.contains("\"angle\": 78,"));
+  QVERIFY(text.contains("\"gravity\": 9.81,"));
+  QVERIFY(text.contains("\"pivot\": [1, 2.8]"));
+}
+
+void SceneFileTest::writesTheSameTextAgain() {
+  const QByteArray text = ui::sceneText(awkwardScene());
+  QCOMPARE(ui::sceneText(*ui::parseScene(text).scene), text);
+}
+
+void SceneFileTest::refusesFilesThatCannotBeRead() {
+  QTemporaryDir folder;
+  QCOMPARE(ui::readSceneFile(folder.filePath("none.json")).error,
+           QString("No such file or directory"));
+  QVERIFY(!ui::readSceneFile(folder.path()).error.isEmpty());
+}
+
+void SceneFileTest::refusesFilesOverSixtyFourMebibytes() {
+  QTemporaryDir folder;
+  QFile file(folder.filePath("large.json"));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  const QByteArray text = R"({"format": "angry-cuts/scene", "version": 1})";
+  file.write(text);
+  const qint64 limit = qint64{64} << 20;
+  file.write(QByteArray(limit - text.size(), ' '));
+  file.flush();
+  QCOMPARE(ui::readSceneFile(file.fileName()).error, QString());
+  file.write(" ");
+  file.flush();
+  QCOMPARE(ui::readSceneFile(file.fileName()).error, QString("larger than 64 MiB"));
+}
+
+void SceneFileTest::namesWhatKeepsAFileFromBeingWritten() {
+  QTemporaryDir folder;
+  QCOMPARE(ui::writeSceneFile(folder.filePath("none/scene.json"), core::Scene()),
+           QString("No such file or directory"));
+  QVERIFY(!ui::writeSceneFile(folder.path(), core::Scene()).isEmpty());
+}
+
+void SceneFileTest::leavesTheOldFileWhereTheNewOneCannotBeWritten() {
+  // A limit on file sizes stands for a disk that fills up while the file is written.
+  QTemporaryDir folder;
+  const QString file = folder.filePath("scene.json");
+  QCOMPARE(ui::writeSceneFile(file, awkwardScene()), QString());
+  const QByteArray before = contentOf(file);
+
+  struct rlimit unlimited;
+  QCOMPARE(getrlimit(RLIMIT_FSIZE, &unlimited), 0);
+  const struct rlimit tiny { 4096, unlimited.rlim_max };
+  std::signal(SIGXFSZ, SIG_IGN);
+  QCOMPARE(setrlimit(RLIMIT_FSIZE, &tiny), 0);
+  const QString error = ui::writeSceneFile(file, crowd(1000));
+  QCOMPARE(setrlimit(RLIMIT_FSIZE, &unlimited), 0);
+
+  QCOMPARE(error, QString("File too large"));
+  QCOMPARE(contentOf(file), before);
+  QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"scene.json"});
+}
+
+void SceneFileTest::opensAHundredThousandWeightsQuickly() {
+  const QByteArray text = ui::sceneText(crowd(100'000));
+  ui::SceneOrError read;
+  QElapsedTimer timer;
+  timer.start();
+  read = ui::parseScene(text);
+  QCOMPARE(read.error, QString());
+  QCOMPARE(read.scene->weights.size(), std::size_t{100'000});
+  // 0.4 s on a slow machine; without a grid for the overlaps it would take minutes.
+  QVERIFY2(timer.elapsed() < 20'000, qPrintable(QString::number(timer.elapsed())));
+}
+
+void SceneFileTest::refusesOneWeightTooMany() {
+  QByteArray text = ui::sceneText(crowd(100'000));
+  text.replace("\"weights\": [", "\"weights\": [{\"position\": [1, 1]},");
+  QCOMPARE(ui::parseScene(text).error,
+           QString("weights: must have 0 to 100000 entries, got 100001"));
+}
+
+QTEST_GUILESS_MAIN(SceneFileTest)
+#include "scene_file_test.moc"

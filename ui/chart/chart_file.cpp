@@ -1,0 +1,107 @@
+#include "ui/chart/chart_file.h"
+
+#include <cmath>
+
+#include <QBuffer>
+#include <QChart>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QGraphicsLayout>
+#include <QGraphicsScene>
+#include <QImage>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+
+#include "ui/chart/chart_look.h"
+
+namespace ui {
+
+namespace {
+
+constexpr double kMillimetersPerInch = 25.4;
+constexpr int kPngDotsPerInch = 2 * kPaperDotsPerInch;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("ChartFile", text);
+}
+
+/// Of the chart in its scene [px].
+QSizeF paperSize(QSizeF millimeters) {
+  return millimeters * kPaperDotsPerInch / kMillimetersPerInch;
+}
+
+void paint(QChart& chart, QPaintDevice& device, const QRectF& target) {
+  QPainter painter(&device);
+  painter.setRenderHint(QPainter::Antialiasing);
+  chart.scene()->render(&painter, target, chart.sceneBoundingRect());
+}
+
+QByteArray png(QChart& chart, const QString&, QSizeF size) {
+  const QSizeF pixels = size * kPngDotsPerInch / kMillimetersPerInch;
+  QImage image(pixels.toSize(), QImage::Format_RGB32);
+  image.fill(Qt::white);
+  paint(chart, image, image.rect());
+  // Only now: with it the painter would enlarge type that the scene enlarges already.
+  image.setDotsPerMeterX(qRound(1000 * kPngDotsPerInch / kMillimetersPerInch));
+  image.setDotsPerMeterY(image.dotsPerMeterX());
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return bytes;
+}
+
+QByteArray svg(QChart& chart, const QString& title, QSizeF size) {
+  const QRectF area(QPointF(0, 0), paperSize(size));
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  QSvgGenerator generator;
+  generator.setOutputDevice(&buffer);
+  generator.setResolution(kPaperDotsPerInch);
+  generator.setSize(area.size().toSize());
+  generator.setViewBox(area);
+  generator.setTitle(title);
+  paint(chart, generator, area);
+  return bytes;
+}
+
+QByteArray pdf(QChart& chart, const QString& title, QSizeF size) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  writer.setPageSize(QPageSize(size, QPageSize::Millimeter));
+  writer.setPageMargins(QMarginsF());
+  writer.setCreator(QCoreApplication::applicationName());
+  writer.setTitle(title);
+  paint(chart, writer, QRectF(0, 0, writer.width(), writer.height()));
+  return bytes;
+}
+
+QString writeWhole(const QString& file, const QByteArray& bytes) {
+  QSaveFile target(file);
+  const bool written =
+      target.open(QIODevice::WriteOnly) && target.write(bytes) == bytes.size() && target.commit();
+  return written ? QString() : tr("Cannot write %1: %2").arg(file, target.errorString());
+}
+
+}  // namespace
+
+QString writeChart(QChart& chart, const QString& file, const QString& title, QSizeF size) {
+  const QString ending = QFileInfo(file).suffix().toLower();
+  const auto encoded = ending == "png"   ? png
+                       : ending == "svg" ? svg
+                       : ending == "pdf" ? pdf
+                                         : nullptr;
+  if (encoded == nullptr) {
+    return tr("Cannot write %1: a chart's file ends in .png, .svg or .pdf").arg(file);
+  }
+  chart.resize(paperSize(size));
+  chart.layout()->activate();
+  return writeWhole(file, encoded(chart, title, size));
+}
+
+}  // namespace ui

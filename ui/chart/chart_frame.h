@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QObject>
+#include <QSizeF>
+#include <QString>
+
+#include "ui/chart/chart_heading.h"
+#include "ui/chart/chart_look.h"
+#include "ui/chart/nice_scale.h"
+
+class QChart;
+class QLineSeries;
+class QValueAxis;
+
+namespace ui {
+
+/// What every chart of ours has: two axes with titles and nice limits, a heading with a
+/// legend, and a look. Belongs to its chart as a child object.
+class ChartFrame : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param chart  takes ownership
+  explicit ChartFrame(QChart* chart);
+
+  void setLook(const ChartLook& look);
+  const ChartLook& look() const { return m_look; }
+
+  void setHeading(HeadingContent content);
+  void setHorizontal(const NiceScale& scale, const QString& title);
+  void setVertical(const NiceScale& scale, const QString& title);
+
+  /// A new curve along both axes; belongs to the chart.
+  QLineSeries* addCurve(const QString& name);
+  void removeCurves();
+
+  /// Most intervals between labels that have room at the present size.
+  int horizontalIntervals() const;
+  int verticalIntervals() const;
+  /// About the size of one unit of both axes [px].
+  QSizeF unitSize() const;
+
+ signals:
+  /// The chart has another size: other scales may fit better.
+  void resized();
+
+ private:
+  void layOut();
+  QSizeF plotSize() const;
+  QValueAxis* addAxis(Qt::Alignment side);
+
+  QChart* m_chart;  // the parent
+  // Owned by the chart.
+  QValueAxis* m_horizontal;
+  QValueAxis* m_vertical;
+  ChartHeading* m_heading;
+  ChartLook m_look;
+};
+
+}  // namespace ui

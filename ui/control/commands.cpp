@@ -1,0 +1,105 @@
+#include "ui/control/commands.h"
+
+#include <QAction>
+#include <QKeySequence>
+
+#include "ui/style/icons.h"
+
+namespace ui {
+namespace {
+
+/// How a command looks: `text` stands in menus, `shortText` on buttons.
+struct Look {
+  Command command;
+  const char* text;
+  const char* shortText;
+  const char* tip;
+  const char* icon;
+  const char* keys;
+};
+
+constexpr Look kLooks[] = {
+    {Command::kNew, QT_TRANSLATE_NOOP("ui::Commands", "&New"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Start with one weight in an empty room"), "new", "Ctrl+N"},
+    {Command::kOpen, QT_TRANSLATE_NOOP("ui::Commands", "&Open…"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Open a scene file"), "open", "Ctrl+O"},
+    {Command::kSave, QT_TRANSLATE_NOOP("ui::Commands", "&Save"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Save the scene"), "save", "Ctrl+S"},
+    {Command::kSaveAs, QT_TRANSLATE_NOOP("ui::Commands", "Save &as…"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Save the scene in another file"), "", "Ctrl+Shift+S"},
+    {Command::kExportChart, QT_TRANSLATE_NOOP("ui::Commands", "Export energy &chart…"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Save the energy chart as a PNG, SVG or PDF picture"),
+     "chart", "Ctrl+E"},
+    {Command::kExportPicture, QT_TRANSLATE_NOOP("ui::Commands", "Export &picture of the scene…"),
+     "", QT_TRANSLATE_NOOP("ui::Commands", "Save what is shown as a PNG, SVG or PDF picture"),
+     "picture", "Ctrl+Shift+E"},
+    {Command::kQuit, QT_TRANSLATE_NOOP("ui::Commands", "&Quit"), "", "", "quit", "Ctrl+Q"},
+    {Command::kPlay, QT_TRANSLATE_NOOP("ui::Commands", "&Play"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Play"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Let time pass, or stop it"), "play", "Space"},
+    {Command::kStep, QT_TRANSLATE_NOOP("ui::Commands", "&Step"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Step"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Take one integration step of the first run"), "step",
+     "Right"},
+    {Command::kStepFrame, QT_TRANSLATE_NOOP("ui::Commands", "Step one &frame"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Go on by 1/60 s, times the speed"), "step-frame",
+     "Shift+Right"},
+    {Command::kCut, QT_TRANSLATE_NOOP("ui::Commands", "&Cut the ropes"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Cut"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Cut all ropes now"), "cut", "C"},
+    {Command::kReset, QT_TRANSLATE_NOOP("ui::Commands", "&Reset"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Reset"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Go back to the start"), "reset", "R"},
+    {Command::kSlower, QT_TRANSLATE_NOOP("ui::Commands", "S&lower"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Halve the speed"), "slower", ","},
+    {Command::kFaster, QT_TRANSLATE_NOOP("ui::Commands", "F&aster"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Double the speed"), "faster", "."},
+    {Command::kTrails, QT_TRANSLATE_NOOP("ui::Commands", "&Trails"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show where the weights have just been"), "trails", "T"},
+    {Command::kFit, QT_TRANSLATE_NOOP("ui::Commands", "&Fit the room"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show the whole room"), "fit", "F"},
+    {Command::kZoomIn, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &in"), "", "", "zoom-in", "Ctrl++"},
+    {Command::kZoomOut, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &out"), "", "", "zoom-out",
+     "Ctrl+-"},
+    {Command::kKeys, QT_TRANSLATE_NOOP("ui::Commands", "&Keys"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "List all keys"), "keys", "F1"},
+    {Command::kAbout, QT_TRANSLATE_NOOP("ui::Commands", "&About Angry Cuts"), "", "", "", ""},
+};
+
+}  // namespace
+
+Commands::Commands(QObject* parent) : QObject(parent) {
+  for (const Look& look : kLooks) {
+    auto* action = new QAction(tr(look.text), this);
+    const bool hasShortText = *look.shortText != '\0';
+    if (hasShortText) action->setIconText(tr(look.shortText));
+    if (*look.icon != '\0') action->setIcon(icon(look.icon));
+    action->setShortcut(QKeySequence(look.keys));
+    if (*look.tip != '\0') {
+      action->setStatusTip(tr(look.tip));
+      const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+      action->setToolTip(tr("%1 (%2)").arg(tr(look.tip), keys));
+    }
+    m_actions[look.command] = action;
+  }
+  action(Command::kTrails)->setCheckable(true);
+  action(Command::kTrails)->setChecked(true);
+  action(Command::kZoomIn)->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});
+  action(Command::kQuit)->setMenuRole(QAction::QuitRole);
+  action(Command::kAbout)->setMenuRole(QAction::AboutRole);
+}
+
+std::vector<QAction*> Commands::all() const {
+  std::vector<QAction*> actions;
+  for (const auto& [command, action] : m_actions) actions.push_back(action);
+  return actions;
+}
+
+void Commands::showPlaying(bool playing) {
+  QAction* play = action(Command::kPlay);
+  play->setText(playing ? tr("&Pause") : tr("&Play"));
+  play->setIconText(playing ? tr("Pause") : tr("Play"));
+  play->setIcon(icon(playing ? "pause" : "play"));
+}
+
+}  // namespace ui

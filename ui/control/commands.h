@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include <QObject>
+
+class QAction;
+
+namespace ui {
+
+/// Everything the window can be told to do by menu, key or button.
+enum class Command {
+  kNew,
+  kOpen,
+  kSave,
+  kSaveAs,
+  kExportChart,
+  kExportPicture,
+  kQuit,
+  kPlay,
+  kStep,
+  kStepFrame,
+  kCut,
+  kReset,
+  kSlower,
+  kFaster,
+  kTrails,
+  kFit,
+  kZoomIn,
+  kZoomOut,
+  kKeys,
+  kAbout,
+};
+
+/// One action for each command, with its words, keys and icon.
+class Commands : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Commands(QObject* parent = nullptr);
+
+  QAction* action(Command command) const { return m_actions.at(command); }
+  /// In the order of the menus.
+  std::vector<QAction*> all() const;
+
+  /// Lets the play action offer what it does now.
+  void showPlaying(bool playing);
+
+ private:
+  std::map<Command, QAction*> m_actions;
+};
+
+}  // namespace ui

@@ -1,0 +1,77 @@
+#include "ui/control/exports.h"
+
+#include <utility>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include "ui/chart/chart_export.h"
+#include "ui/control/file_dialog.h"
+#include "ui/control/run_controller.h"
+#include "ui/files/ledger_file.h"
+#include "ui/view/scene_picture.h"
+
+namespace ui {
+namespace {
+
+QStringList pictureKinds() {
+  return {Exports::tr("PNG picture (*.png)"), Exports::tr("SVG drawing (*.svg)"),
+          Exports::tr("PDF document (*.pdf)")};
+}
+
+}  // namespace
+
+Exports::Exports(const RunController* controller, std::function<std::vector<ChartedRun>()> charted,
+                 QWidget* window)
+    : QObject(window), m_controller(controller), m_charted(std::move(charted)), m_window(window) {}
+
+void Exports::saveChart(const QString& file) {
+  report(file, writeEnergyChart(file, m_charted(), {sceneName(), {}}));
+}
+
+void Exports::savePicture(const QString& file) {
+  report(file, writeScenePicture(file, m_controller->runs(), m_controller->time()));
+}
+
+void Exports::saveLedger(const QString& file, int run) {
+  report(file, writeLedgerFile(file, m_controller->recording(run).ledger()));
+}
+
+void Exports::askAndSaveChart() {
+  const QString file = askWhereToSave(m_window, tr("Export energy chart"),
+                                      suggested(tr("energy"), "png"), pictureKinds());
+  if (!file.isEmpty()) saveChart(file);
+}
+
+void Exports::askAndSavePicture() {
+  const QString file = askWhereToSave(m_window, tr("Export picture of the scene"),
+                                      suggested(tr("scene"), "png"), pictureKinds());
+  if (!file.isEmpty()) savePicture(file);
+}
+
+void Exports::askAndSaveLedger(int run) {
+  const QString what = tr("energy") + '-' + QString::fromUtf8(m_controller->run(run).method().id);
+  const QString file = askWhereToSave(m_window, tr("Export energy ledger"), suggested(what, "csv"),
+                                      {tr("Table (*.csv)")});
+  if (!file.isEmpty()) saveLedger(file, run);
+}
+
+QString Exports::sceneName() const {
+  return QString::fromStdString(m_controller->scene().name);
+}
+
+QString Exports::suggested(const QString& what, const QString& ending) const {
+  return fileNameFrom(sceneName()) + '-' + what + '.' + ending;
+}
+
+void Exports::report(const QString& file, const QString& error) {
+  if (error.isEmpty()) {
+    emit done(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+    return;
+  }
+  QMessageBox::warning(m_window, tr("Not exported"),
+                       tr("%1 was not written:\n%2").arg(QFileInfo(file).fileName(), error));
+}
+
+}  // namespace ui

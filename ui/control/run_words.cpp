@@ -1,0 +1,51 @@
+#include "ui/control/run_words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "core/methods/method.h"
+#include "core/run/run.h"
+#include "ui/control/quantity_text.h"
+
+namespace ui {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ui::RunWords)
+};
+
+// The names in core's method table, for translators to find.
+[[maybe_unused]] constexpr const char* kMethodNames[] = {
+    QT_TRANSLATE_NOOP("ui::RunWords", "Euler"),
+    QT_TRANSLATE_NOOP("ui::RunWords", "Runge–Kutta 4"),
+};
+
+}  // namespace
+
+QString methodWords(const core::Method& method) {
+  return Words::tr(std::string(method.name).c_str());
+}
+
+QString runWords(const core::Solver& solver) {
+  return Words::tr("%1, %2 s")
+      .arg(methodWords(*core::findMethod(solver.method)), fractionText(solver.step));
+}
+
+QString stopWords(const core::Run& run) {
+  const QString when = QLocale().toString(run.time(), 'f', 3);
+  switch (run.status()) {
+    case core::RunStatus::kRunning:
+      return {};
+    case core::RunStatus::kDiverged:
+      return Words::tr(
+                 "%1 diverged at %2 s: its numbers stopped being finite. Its last finite "
+                 "state is shown; try a smaller step.")
+          .arg(runWords(run.solver()), when);
+    case core::RunStatus::kEndless:
+      return Words::tr("%1 stopped at %2 s: one step held more impacts than a step may.")
+          .arg(runWords(run.solver()), when);
+  }
+  return {};
+}
+
+}  // namespace ui

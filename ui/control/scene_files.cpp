@@ -1,0 +1,107 @@
+#include "ui/control/scene_files.h"
+
+#include <numbers>
+#include <utility>
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include "core/scene/arrangement.h"
+#include "ui/control/file_dialog.h"
+#include "ui/control/scene_editor.h"
+#include "ui/files/scene_file.h"
+
+namespace ui {
+namespace {
+
+constexpr double kFirstAngle = std::numbers::pi / 3;  // rad: hanging straight down is no start
+
+core::Scene newScene() {
+  core::Scene scene = core::withWeightCount(core::Scene(), 1);
+  scene.weights.front().rope->angle = kFirstAngle;
+  return scene;
+}
+
+}  // namespace
+
+SceneFiles::SceneFiles(SceneEditor* editor, const QString& file, QWidget* window)
+    : QObject(window), m_editor(editor), m_file(file), m_window(window) {}
+
+bool SceneFiles::mayLeaveScene() {
+  if (!m_editor->isModified()) return true;
+  QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                       tr("The scene has changes that are not saved. Save them?"),
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+  switch (question.exec()) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void SceneFiles::startNew() {
+  if (mayLeaveScene()) take(newScene(), {});
+}
+
+void SceneFiles::askAndOpen() {
+  if (!mayLeaveScene()) return;
+  const QString file = QFileDialog::getOpenFileName(m_window, tr("Open scene"), m_file,
+                                                    tr("Scenes (*.json);;All files (*)"));
+  if (!file.isEmpty()) open(file);
+}
+
+void SceneFiles::openBuiltIn(const QString& name) {
+  if (mayLeaveScene()) take(builtInScene(name), {});
+}
+
+void SceneFiles::open(const QString& file) {
+  SceneOrError read = readSceneFile(file);
+  if (!read.scene) {
+    QMessageBox::warning(m_window, tr("Scene not opened"),
+                         tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), read.error));
+    return;
+  }
+  take(std::move(*read.scene), file);
+}
+
+void SceneFiles::take(core::Scene scene, const QString& file) {
+  m_editor->replace(std::move(scene));
+  setFile(file);
+}
+
+bool SceneFiles::save() {
+  return m_file.isEmpty() ? saveAs() : saveTo(m_file);
+}
+
+bool SceneFiles::saveAs() {
+  const QString name = QString::fromStdString(m_editor->scene()->name);
+  const QString suggested = m_file.isEmpty() ? fileNameFrom(name) + ".json" : m_file;
+  const QString file =
+      askWhereToSave(m_window, tr("Save scene"), suggested, {tr("Scene (*.json)")});
+  return !file.isEmpty() && saveTo(file);
+}
+
+bool SceneFiles::saveTo(const QString& file) {
+  const QString error = writeSceneFile(file, *m_editor->scene());
+  if (!error.isEmpty()) {
+    QMessageBox::warning(m_window, tr("Scene not saved"),
+                         tr("%1 was not saved:\n%2").arg(QFileInfo(file).fileName(), error));
+    return false;
+  }
+  m_editor->setSaved();
+  setFile(file);
+  emit done(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+  return true;
+}
+
+void SceneFiles::setFile(const QString& file) {
+  m_file = file;
+  emit fileChanged(file);
+}
+
+}  // namespace ui

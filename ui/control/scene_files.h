@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "core/scene/scene.h"
+
+class QWidget;
+
+namespace ui {
+
+class SceneEditor;
+
+/// Opens and saves the scene of a window, and never loses one without asking.
+class SceneFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param file    where the scene came from; empty: from nowhere that can be saved to
+  /// @param window  over which questions and messages appear
+  SceneFiles(SceneEditor* editor, const QString& file, QWidget* window);
+
+  /// Empty while the scene has no file.
+  const QString& file() const { return m_file; }
+
+  /// Asks about unsaved changes.
+  /// @return  false if the user wants to stay with the scene
+  bool mayLeaveScene();
+
+  /// Opens this file; if it is refused the present scene stays, and a message says why.
+  void open(const QString& file);
+  /// @return  false if it could not be saved, which a message has said
+  bool saveTo(const QString& file);
+
+ public slots:
+  /// One weight in an empty room.
+  void startNew();
+  void askAndOpen();
+  /// @pre name is one of builtInScenes()
+  void openBuiltIn(const QString& name);
+  bool save();
+  bool saveAs();
+
+ signals:
+  void fileChanged(const QString& file);
+  /// Something went well, in words.
+  void done(const QString& message);
+
+ private:
+  void take(core::Scene scene, const QString& file);
+  void setFile(const QString& file);
+
+  SceneEditor* m_editor;
+  QString m_file;
+  QWidget* m_window;
+};
+
+}  // namespace ui

@@ -1,0 +1,45 @@
+#include "ui/control/settings.h"
+
+#include <array>
+
+namespace ui {
+namespace {
+
+const QString kPainterKey = QStringLiteral("painter");
+const QString kThemeKey = QStringLiteral("theme");
+
+// In the order of the enumerations.
+const std::array kPainterWords{"automatic", "opengl", "qpainter"};
+const std::array kThemeWords{"desktop", "light", "dark"};
+
+template <class Choice, std::size_t kCount>
+Choice choiceIn(const QSettings& store, const QString& key,
+                const std::array<const char*, kCount>& words) {
+  const QString stored = store.value(key).toString();
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (stored == QLatin1String(words[i])) return static_cast<Choice>(i);
+  }
+  return static_cast<Choice>(0);
+}
+
+}  // namespace
+
+Settings::Settings() : m_store("angrycuts", "angrycuts") {}
+
+PainterChoice Settings::painter() const {
+  return choiceIn<PainterChoice>(m_store, kPainterKey, kPainterWords);
+}
+
+void Settings::setPainter(PainterChoice choice) {
+  m_store.setValue(kPainterKey, kPainterWords[static_cast<std::size_t>(choice)]);
+}
+
+ThemeChoice Settings::theme() const {
+  return choiceIn<ThemeChoice>(m_store, kThemeKey, kThemeWords);
+}
+
+void Settings::setTheme(ThemeChoice choice) {
+  m_store.setValue(kThemeKey, kThemeWords[static_cast<std::size_t>(choice)]);
+}
+
+}  // namespace ui

@@ -1,0 +1,96 @@
+#include "ui/main_menu.h"
+
+#include <QActionGroup>
+#include <QMenuBar>
+
+#include "ui/control/commands.h"
+#include "ui/files/scene_file.h"
+#include "ui/style/icons.h"
+
+namespace ui {
+namespace {
+
+void addCommands(QMenu* menu, const Commands& commands, std::initializer_list<Command> list) {
+  for (const Command command : list) menu->addAction(commands.action(command));
+}
+
+}  // namespace
+
+MainMenu::MainMenu(QMenuBar* bar, const Commands& commands) : QObject(bar) {
+  addFileMenu(bar, commands);
+  addRunMenu(bar, commands);
+  addViewMenu(bar, commands);
+  addHelpMenu(bar, commands);
+}
+
+void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
+  QMenu* file = bar->addMenu(tr("&File"));
+  addCommands(file, commands, {Command::kNew, Command::kOpen});
+  m_scenes = file->addMenu(tr("&Built-in scenes"));
+  m_scenes->setToolTipsVisible(true);
+  connect(m_scenes, &QMenu::aboutToShow, this, &MainMenu::listBuiltInScenes);
+  file->addSeparator();
+  addCommands(file, commands, {Command::kSave, Command::kSaveAs});
+  file->addSeparator();
+  addCommands(file, commands, {Command::kExportChart, Command::kExportPicture});
+  m_ledgers = file->addMenu(icon("table"), tr("Export energy &ledger"));
+  file->addSeparator();
+  addCommands(file, commands, {Command::kQuit});
+}
+
+void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {
+  QMenu* run = bar->addMenu(tr("&Run"));
+  addCommands(run, commands, {Command::kPlay, Command::kStep, Command::kStepFrame});
+  run->addSeparator();
+  addCommands(run, commands, {Command::kCut, Command::kReset});
+  run->addSeparator();
+  addCommands(run, commands, {Command::kSlower, Command::kFaster});
+}
+
+void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {
+  m_view = bar->addMenu(tr("&View"));
+  m_panels = m_view->addMenu(tr("&Panels"));
+  m_view->addSeparator();
+  addCommands(m_view, commands,
+              {Command::kTrails, Command::kFit, Command::kZoomIn, Command::kZoomOut});
+  m_view->addSeparator();
+}
+
+void MainMenu::addHelpMenu(QMenuBar* bar, const Commands& commands) {
+  QMenu* help = bar->addMenu(tr("&Help"));
+  addCommands(help, commands, {Command::kKeys, Command::kAbout});
+}
+
+void MainMenu::addChoice(const QString& title, const QStringList& words, int chosen,
+                         const std::function<void(int)>& choose) {
+  QMenu* menu = m_view->addMenu(title);
+  auto* group = new QActionGroup(menu);
+  for (int i = 0; i < words.size(); ++i) {
+    QAction* action = group->addAction(words[i]);
+    action->setCheckable(true);
+    action->setChecked(i == chosen);
+    connect(action, &QAction::triggered, this, [choose, i] { choose(i); });
+  }
+  menu->addActions(group->actions());
+}
+
+void MainMenu::setRuns(const QStringList& names) {
+  m_ledgers->clear();
+  for (int i = 0; i < names.size(); ++i) {
+    connect(m_ledgers->addAction(names[i]), &QAction::triggered, this,
+            [this, i] { emit ledgerChosen(i); });
+  }
+}
+
+void MainMenu::listBuiltInScenes() {
+  if (!m_scenes->isEmpty()) return;
+  for (const QString& name : builtInScenes()) {
+    const core::Scene scene = builtInScene(name);
+    QAction* action = m_scenes->addAction(QString::fromStdString(scene.name));
+    action->setToolTip(QString::fromStdString(scene.description));
+    action->setStatusTip(action->toolTip());
+    connect(action, &QAction::triggered, this, [this, name] { emit builtInChosen(name); });
+  }
+}
+
+}  // namespace ui

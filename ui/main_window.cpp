@@ -1,0 +1,294 @@
+#include "ui/main_window.h"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QShowEvent>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "ui/control/commands.h"
+#include "ui/control/exports.h"
+#include "ui/control/frame_ticker.h"
+#include "ui/control/run_controller.h"
+#include "ui/control/run_words.h"
+#include "ui/control/scene_editor.h"
+#include "ui/control/scene_files.h"
+#include "ui/control/settings.h"
+#include "ui/main_menu.h"
+#include "ui/panels/energy_panel.h"
+#include "ui/panels/help_dialogs.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/panel_title.h"
+#include "ui/panels/playback_bar.h"
+#include "ui/panels/problem_words.h"
+#include "ui/panels/runs_form.h"
+#include "ui/panels/scene_form.h"
+#include "ui/panels/weights_form.h"
+#include "ui/style/appearance.h"
+#include "ui/style/icons.h"
+#include "ui/view/scene_view.h"
+
+namespace ui {
+namespace {
+
+constexpr QSize kFirstSize(1600, 900);
+constexpr int kLeastChartHeight = 260;
+constexpr double kChartShare = 0.36;  // of the window's height
+constexpr int kMessageTime = 6000;  // ms
+
+/// As high as its form if there is room; where there is not, it scrolls rather than squeezes.
+class FormArea : public QScrollArea {
+ public:
+  QSize sizeHint() const override { return widget()->sizeHint(); }
+};
+
+QScrollArea* scrolling(QWidget* form) {
+  auto* area = new FormArea;
+  area->setWidget(form);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setMinimumWidth(form->minimumSizeHint().width() +
+                        area->verticalScrollBar()->sizeHint().width());
+  return area;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* parent)
+    : QMainWindow(parent),
+      m_appearance(new Appearance(this)),
+      m_editor(new SceneEditor(scene, this)),
+      m_controller(new RunController(this)),
+      m_ticker(new FrameTicker(this)),
+      m_commands(new Commands(this)),
+      m_files(new SceneFiles(m_editor, file, this)),
+      m_view(new SceneView),
+      m_playback(new PlaybackBar(*m_commands)),
+      m_energy(new EnergyPanel(m_controller)) {
+  m_exports = new Exports(
+      m_controller, [this] { return m_energy->chosenRuns(); }, this);
+  m_appearance->setChoice(Settings().theme());
+  setWindowIcon(icon("angrycuts"));
+  const QSize available = screen()->availableSize();
+  resize(kFirstSize.boundedTo(available));
+  if (kFirstSize.boundedTo(available) != kFirstSize) setWindowState(Qt::WindowMaximized);
+  buildCentre();
+  buildPanels();
+  buildMenus();
+  buildStatusBar();
+  connectPlayback();
+  connectScene();
+  connectFiles();
+  connectView();
+  startScene();
+  showTitle();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildCentre() {
+  m_problemBar = new MessageBar(tr("Undo the change"));
+  m_stopBar = new MessageBar;
+  auto* centre = new QWidget;
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(m_problemBar);
+  layout->addWidget(m_stopBar);
+  layout->addWidget(m_view, 1);
+  layout->addWidget(m_playback);
+  setCentralWidget(centre);
+}
+
+void MainWindow::buildPanels() {
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
+  QDockWidget* scene =
+      addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
+  QDockWidget* weights = addPanel(Qt::LeftDockWidgetArea, "weights", tr("Weights"),
+                                  scrolling(new WeightsForm(m_editor)));
+  QDockWidget* runs =
+      addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), scrolling(new RunsForm(m_editor)));
+  QDockWidget* energy = addPanel(Qt::BottomDockWidgetArea, "energy", tr("Energy"), m_energy);
+  tabifyDockWidget(scene, weights);
+  // Their tabs are their titles.
+  for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
+  runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
+  energy->setTitleBarWidget(new PanelTitle(energy, m_energy->chooser()));
+  scene->raise();
+}
+
+/// The scene gets most of the window, and the chart what it needs to be read.
+void MainWindow::sizePanels() {
+  const int chartHeight = std::max(kLeastChartHeight, static_cast<int>(height() * kChartShare));
+  resizeDocks({findChild<QDockWidget*>("energy")}, {chartHeight}, Qt::Vertical);
+  auto* runs = findChild<QDockWidget*>("runs");
+  resizeDocks({runs}, {runs->sizeHint().height()}, Qt::Vertical);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (!event->spontaneous() && !m_panelsSized) sizePanels();
+  m_panelsSized = true;
+}
+
+QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,
+                                  const QString& title, QWidget* content) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  return dock;
+}
+
+void MainWindow::buildMenus() {
+  m_menu = new MainMenu(menuBar(), *m_commands);
+  for (const QDockWidget* dock : findChildren<QDockWidget*>()) {
+    m_menu->panels()->addAction(dock->toggleViewAction());
+  }
+  m_menu->addChoice(tr("&Colors"), {tr("Like the &desktop"), tr("&Light"), tr("D&ark")},
+                    static_cast<int>(Settings().theme()), [this](int choice) {
+                      Settings().setTheme(static_cast<ThemeChoice>(choice));
+                      m_appearance->setChoice(static_cast<ThemeChoice>(choice));
+                    });
+  m_menu->addChoice(tr("&Drawn by"), {tr("&Automatic choice"), tr("&OpenGL"), tr("&QPainter")},
+                    static_cast<int>(Settings().painter()), [this](int choice) {
+                      Settings().setPainter(static_cast<PainterChoice>(choice));
+                      m_view->setPainterChoice(static_cast<PainterChoice>(choice));
+                    });
+  for (QAction* action : m_commands->all()) addAction(action);
+}
+
+void MainWindow::buildStatusBar() {
+  m_painterLabel = new QLabel;
+  statusBar()->addPermanentWidget(m_painterLabel);
+}
+
+void MainWindow::connectPlayback() {
+  const auto on = [this](Command command, auto slot) {
+    connect(m_commands->action(command), &QAction::triggered, m_controller, slot);
+  };
+  on(Command::kPlay, &RunController::togglePlaying);
+  on(Command::kStep, &RunController::stepOnce);
+  on(Command::kStepFrame, &RunController::stepFrame);
+  on(Command::kCut, &RunController::cutAll);
+  on(Command::kReset, &RunController::reset);
+  connect(m_commands->action(Command::kSlower), &QAction::triggered, this,
+          [this] { changeSpeed(-1); });
+  connect(m_commands->action(Command::kFaster), &QAction::triggered, this,
+          [this] { changeSpeed(1); });
+  connect(m_playback, &PlaybackBar::speedChosen, m_controller, &RunController::setSpeed);
+
+  connect(m_ticker, &FrameTicker::ticked, m_controller, &RunController::passTime);
+  connect(m_controller, &RunController::playingChanged, m_ticker, &FrameTicker::setRunning);
+  connect(m_controller, &RunController::playingChanged, m_commands, &Commands::showPlaying);
+  connect(m_controller, &RunController::speedChanged, m_playback, &PlaybackBar::showSpeed);
+  connect(m_controller, &RunController::timeShown, this, &MainWindow::showTime);
+  connect(m_controller, &RunController::runStopped, this, &MainWindow::showStopped);
+  connect(m_controller, &RunController::canCutChanged, m_commands->action(Command::kCut),
+          &QAction::setEnabled);
+}
+
+void MainWindow::connectScene() {
+  // Before anything draws the new runs: the old ones are gone.
+  connect(m_controller, &RunController::restarted, this,
+          [this] { m_view->setRuns(m_controller->runs()); });
+  connect(m_controller, &RunController::restarted, this, &MainWindow::showStopped);
+  connect(m_editor, &SceneEditor::sceneReplaced, m_controller, &RunController::pause);
+  connect(m_editor, &SceneEditor::sceneChanged, this, &MainWindow::startScene);
+  connect(m_editor, &SceneEditor::draftChanged, this, &MainWindow::showProblems);
+  connect(m_problemBar, &MessageBar::accepted, m_editor, &SceneEditor::giveUpDraft);
+}
+
+void MainWindow::connectFiles() {
+  const auto on = [this](Command command, auto* receiver, auto slot) {
+    connect(m_commands->action(command), &QAction::triggered, receiver, slot);
+  };
+  on(Command::kNew, m_files, &SceneFiles::startNew);
+  on(Command::kOpen, m_files, &SceneFiles::askAndOpen);
+  on(Command::kSave, m_files, &SceneFiles::save);
+  on(Command::kSaveAs, m_files, &SceneFiles::saveAs);
+  on(Command::kExportChart, m_exports, &Exports::askAndSaveChart);
+  on(Command::kExportPicture, m_exports, &Exports::askAndSavePicture);
+  on(Command::kQuit, this, &QWidget::close);
+  on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
+  on(Command::kAbout, this, [this] { showAbout(this); });
+  connect(m_menu, &MainMenu::builtInChosen, m_files, &SceneFiles::openBuiltIn);
+  connect(m_menu, &MainMenu::ledgerChosen, m_exports, &Exports::askAndSaveLedger);
+
+  const auto say = [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); };
+  connect(m_files, &SceneFiles::done, this, say);
+  connect(m_exports, &Exports::done, this, say);
+  connect(m_files, &SceneFiles::fileChanged, this, &MainWindow::showTitle);
+  connect(m_editor, &SceneEditor::modifiedChanged, this, &QWidget::setWindowModified);
+}
+
+void MainWindow::connectView() {
+  connect(m_commands->action(Command::kTrails), &QAction::toggled, m_view,
+          &SceneView::setTrailsShown);
+  connect(m_commands->action(Command::kFit), &QAction::triggered, m_view, &SceneView::fitRoom);
+  connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneView::zoomIn);
+  connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneView::zoomOut);
+  connect(m_view, &SceneView::painterChanged, this, &MainWindow::showPainter);
+  m_view->setPainterChoice(Settings().painter());
+  showPainter();
+}
+
+void MainWindow::startScene() {
+  m_controller->setScene(m_editor->scene());
+  QStringList names;
+  for (const core::Run* run : m_controller->runs()) names << runWords(run->solver());
+  m_menu->setRuns(names);
+}
+
+void MainWindow::showTime(double time) {
+  m_view->showTime(time);
+  m_playback->showTime(time);
+  m_playback->showKeptShare(m_controller->keptShare());
+}
+
+void MainWindow::showStopped() {
+  QStringList stopped;
+  for (const core::Run* run : m_controller->runs()) {
+    if (run->status() != core::RunStatus::kRunning) stopped << stopWords(*run);
+  }
+  m_stopBar->say(stopped.join('\n'));
+}
+
+void MainWindow::showProblems() {
+  const auto& problems = m_editor->problems();
+  m_problemBar->say(
+      problems.empty()
+          ? QString()
+          : tr("%1 The scene goes on as it was until that is mended.").arg(problemWords(problems)));
+}
+
+void MainWindow::showTitle() {
+  const QString name = m_files->file().isEmpty() ? QString::fromStdString(m_editor->scene()->name)
+                                                 : QFileInfo(m_files->file()).fileName();
+  setWindowTitle(tr("%1[*] – Angry Cuts").arg(name.isEmpty() ? tr("New scene") : name));
+}
+
+void MainWindow::showPainter() {
+  m_painterLabel->setText(tr("Drawn by %1").arg(m_view->painterDescription()));
+}
+
+void MainWindow::changeSpeed(int steps) {
+  m_controller->setSpeed(m_playback->speedBeside(m_controller->speed(), steps));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(m_files->mayLeaveScene());
+}
+
+}  // namespace ui

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <QMainWindow>
+#include <QString>
+
+#include "core/scene/scene.h"
+
+class QDockWidget;
+class QLabel;
+
+namespace ui {
+
+class Appearance;
+class Commands;
+class EnergyPanel;
+class Exports;
+class FrameTicker;
+class MainMenu;
+class MessageBar;
+class PlaybackBar;
+class RunController;
+class SceneEditor;
+class SceneFiles;
+class SceneView;
+
+/// The window: the scene in the middle, forms at its side, the energy chart below. Puts the
+/// parts together and passes on what they say; each part does its own work.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// @param scene  shown first
+  /// @param file   where it came from; empty: built in
+  /// @pre problemsIn(scene) is empty, and its solvers' methods are known
+  explicit MainWindow(const core::Scene& scene, const QString& file = {},
+                      QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  RunController* controller() const { return m_controller; }
+  SceneEditor* editor() const { return m_editor; }
+  SceneFiles* files() const { return m_files; }
+  Exports* exports() const { return m_exports; }
+  const Commands& commands() const { return *m_commands; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void buildCentre();
+  void buildPanels();
+  QDockWidget* addPanel(Qt::DockWidgetArea area, const QString& name, const QString& title,
+                        QWidget* content);
+  void sizePanels();
+  void buildMenus();
+  void buildStatusBar();
+  void connectPlayback();
+  void connectScene();
+  void connectFiles();
+  void connectView();
+
+  void startScene();
+  void showTime(double time);
+  void showStopped();
+  void showProblems();
+  void showTitle();
+  void showPainter();
+  void changeSpeed(int steps);
+
+  Appearance* m_appearance;
+  SceneEditor* m_editor;
+  RunController* m_controller;
+  FrameTicker* m_ticker;
+  Commands* m_commands;
+  SceneFiles* m_files;
+  Exports* m_exports;
+
+  MainMenu* m_menu;
+  SceneView* m_view;
+  PlaybackBar* m_playback;
+  EnergyPanel* m_energy;
+  MessageBar* m_problemBar;
+  MessageBar* m_stopBar;
+  QLabel* m_painterLabel;
+  bool m_panelsSized = false;  // once: from then on the user decides
+};
+
+}  // namespace ui

@@ -1,0 +1,64 @@
+#include "ui/panels/form.h"
+
+#include <QFormLayout>
+#include <QLabel>
+
+#include "ui/control/scene_editor.h"
+#include "ui/panels/problem_words.h"
+#include "ui/panels/quantity_field.h"
+
+namespace ui {
+
+Form::Form(SceneEditor* editor, QWidget* parent)
+    : QWidget(parent), m_editor(editor), m_rows(new QFormLayout(this)) {
+  m_rows->setContentsMargins(12, 8, 12, 12);
+  m_rows->setHorizontalSpacing(12);
+  m_rows->setVerticalSpacing(8);
+  m_rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  connect(editor, &SceneEditor::sceneReplaced, this, &Form::discardTyped);
+  connect(editor, &SceneEditor::draftChanged, this, [this] { showDraft(); });
+}
+
+void Form::addHeading(const QString& words) {
+  auto* heading = new QLabel(words);
+  QFont bold = heading->font();
+  bold.setBold(true);
+  heading->setFont(bold);
+  if (m_rows->rowCount() > 0) heading->setContentsMargins(0, 8, 0, 0);
+  m_rows->addRow(heading);
+}
+
+QuantityField* Form::addQuantity(const QString& label, const QuantityStyle& style, Reader read,
+                                 Writer write) {
+  auto* field = new QuantityField(style);
+  m_rows->addRow(label, field);
+  field->spinBox()->setAccessibleName(label);
+  bind(field, std::move(read), std::move(write));
+  return field;
+}
+
+void Form::bind(QuantityField* field, Reader read, Writer write) {
+  m_bindings.push_back({field, std::move(read)});
+  connect(field, &QuantityField::edited, this, [this, field, write = std::move(write)](double v) {
+    const bool canRun = m_editor->change([&](core::Scene& draft) { write(draft, v); });
+    if (!canRun) field->mark(problemWords(m_editor->problems()));
+  });
+  connect(field, &QuantityField::cancelled, m_editor, &SceneEditor::giveUpDraft);
+}
+
+void Form::showDraft() {
+  for (const Binding& binding : m_bindings) {
+    const std::optional<double> value = binding.read(m_editor->draft());
+    if (value) {
+      binding.field->setValue(*value);
+    } else {
+      binding.field->setNoValue();
+    }
+  }
+}
+
+void Form::discardTyped() {
+  for (const Binding& binding : m_bindings) binding.field->discard();
+}
+
+}  // namespace ui

@@ -1,0 +1,47 @@
+#include "ui/panels/panel_title.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "ui/style/icons.h"
+
+namespace ui {
+namespace {
+
+constexpr QSize kIconSize(14, 14);
+
+QToolButton* button(const QString& iconName, const QString& tip) {
+  auto* button = new QToolButton;
+  button->setIcon(icon(iconName));
+  button->setIconSize(kIconSize);
+  button->setAutoRaise(true);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  return button;
+}
+
+}  // namespace
+
+PanelTitle::PanelTitle(QDockWidget* panel, QWidget* extra) : QWidget(panel) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(12, 4, 6, 0);
+  auto* name = new QLabel(panel->windowTitle());
+  QFont bold = name->font();
+  bold.setBold(true);
+  name->setFont(bold);
+  layout->addWidget(name);
+  if (extra) layout->addWidget(extra);
+  layout->addStretch(1);
+
+  auto* floating = button("float", tr("Take the panel out of the window, or put it back"));
+  auto* close = button("close", tr("Close the panel; the view menu brings it back"));
+  layout->addWidget(floating);
+  layout->addWidget(close);
+  connect(floating, &QToolButton::clicked, panel,
+          [panel] { panel->setFloating(!panel->isFloating()); });
+  connect(close, &QToolButton::clicked, panel, &QWidget::close);
+}
+
+}  // namespace ui

@@ -1,0 +1,139 @@
+#include "ui/panels/playback_bar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/control/commands.h"
+#include "ui/control/quantity_text.h"
+
+namespace ui {
+namespace {
+
+// Speeds are powers of two.
+constexpr int kSlowest = -4;
+constexpr int kFastest = 2;
+
+constexpr double kTimeType = 2;       // times the base type
+constexpr double kMostlyKept = 0.97;  // of the speed: less is noticed and shown
+constexpr QSize kIconSize(26, 26);
+
+int exponentOf(double speed) {
+  return std::clamp(static_cast<int>(std::lround(std::log2(speed))), kSlowest, kFastest);
+}
+
+QString speedText(double speed) {
+  return fractionText(speed) + QStringLiteral("×");
+}
+
+QToolButton* buttonFor(QAction* action) {
+  auto* button = new QToolButton;
+  button->setDefaultAction(action);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setIconSize(kIconSize);
+  button->setAutoRaise(true);
+  return button;
+}
+
+}  // namespace
+
+PlaybackBar::PlaybackBar(const Commands& commands, QWidget* parent)
+    : QWidget(parent),
+      m_speedSlider(new QSlider(Qt::Horizontal)),
+      m_speedLabel(new QLabel),
+      m_timeLabel(new QLabel),
+      m_paceLabel(new QLabel) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 2, 16, 2);
+  layout->setSpacing(16);
+  layout->addWidget(buttons(commands));
+  layout->addWidget(speedBox());
+  layout->addStretch(1);
+  layout->addWidget(timeBox());
+  showTime(0);
+  showSpeed(1);
+  showKeptShare(1);
+}
+
+QWidget* PlaybackBar::buttons(const Commands& commands) {
+  auto* box = new QWidget;
+  auto* layout = new QHBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  for (const Command command : {Command::kPlay, Command::kStep, Command::kCut, Command::kReset}) {
+    layout->addWidget(buttonFor(commands.action(command)));
+  }
+  return box;
+}
+
+QWidget* PlaybackBar::speedBox() {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  m_speedSlider->setRange(kSlowest, kFastest);
+  m_speedSlider->setPageStep(1);
+  m_speedSlider->setTickPosition(QSlider::TicksBelow);
+  m_speedSlider->setFocusPolicy(Qt::TabFocus);
+  m_speedSlider->setFixedWidth(140);
+  m_speedSlider->setAccessibleName(tr("Speed"));
+  m_speedSlider->setToolTip(tr("Speed (, and .)"));
+  m_speedLabel->setAlignment(Qt::AlignHCenter);
+  layout->addStretch(1);
+  layout->addWidget(m_speedLabel);
+  layout->addWidget(m_speedSlider);
+  layout->addStretch(1);
+  connect(m_speedSlider, &QSlider::valueChanged, this,
+          [this](int exponent) { emit speedChosen(std::ldexp(1, exponent)); });
+  return box;
+}
+
+QWidget* PlaybackBar::timeBox() {
+  auto* box = new QWidget;
+  auto* layout = new QHBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(12);
+  QFont large = m_timeLabel->font();
+  large.setPointSizeF(large.pointSizeF() * kTimeType);
+  large.setBold(true);
+  m_timeLabel->setFont(large);
+  m_timeLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  m_timeLabel->setAccessibleName(tr("Simulated time"));
+  // Room for the longest common text, so that nothing moves while the digits do.
+  m_timeLabel->setMinimumWidth(m_timeLabel->fontMetrics().horizontalAdvance("0000.000 s"));
+  m_paceLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  layout->addWidget(m_paceLabel);
+  layout->addWidget(m_timeLabel);
+  return box;
+}
+
+void PlaybackBar::showTime(double time) {
+  m_timeLabel->setText(tr("%1 s").arg(QLocale().toString(time, 'f', 3)));
+}
+
+void PlaybackBar::showSpeed(double speed) {
+  const QSignalBlocker quiet(m_speedSlider);
+  m_speedSlider->setValue(exponentOf(speed));
+  m_speedLabel->setText(tr("Speed %1").arg(speedText(speed)));
+}
+
+void PlaybackBar::showKeptShare(double keptShare) {
+  const QString text =
+      keptShare >= kMostlyKept
+          ? tr("in real time")
+          : tr("too slow: %1 % of the speed").arg(QLocale().toString(100 * keptShare, 'f', 0));
+  if (text != m_paceLabel->text()) m_paceLabel->setText(text);
+}
+
+double PlaybackBar::speedBeside(double speed, int steps) const {
+  return std::ldexp(1, std::clamp(exponentOf(speed) + steps, kSlowest, kFastest));
+}
+
+}  // namespace ui

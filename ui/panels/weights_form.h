@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ui/panels/form.h"
+
+class QSpinBox;
+
+namespace ui {
+
+/// Rope, size and drag of one weight, or of all weights at once.
+class WeightsForm : public Form {
+  Q_OBJECT
+
+ public:
+  explicit WeightsForm(SceneEditor* editor, QWidget* parent = nullptr);
+
+  /// Shows this weight, counted from 1; 0: all.
+  void choose(int number);
+
+ protected:
+  void showDraft() override;
+
+ private:
+  void addChooser();
+  void addRopeRows();
+  void addBodyRows();
+  QuantityField* addWeightQuantity(const QString& label, const QuantityStyle& style,
+                                   std::function<double*(core::Weight&)> part);
+
+  QSpinBox* m_chooser;
+  QuantityField* m_ropeLength;
+  QuantityField* m_ropeAngle;
+  std::vector<QuantityField*> m_bodyFields;
+};
+
+}  // namespace ui
