@@ -88,7 +88,8 @@ void addScaleBar(const ScaleBar& bar, const Camera& camera, const SceneLook& loo
 double legendHeight(const std::vector<ShownRun>& runs, const SceneLook& look, double width) {
   const std::vector<QPointF> corners = entryCorners(runs, look, width);
   const double top = corners.empty() ? look.headerHeight + kEdge : corners.back().y();
-  return top - look.headerHeight + lineHeight(look.font) + kEdge;
+  // Below it half a line is free for the number at the ceiling.
+  return top - look.headerHeight + 1.6 * lineHeight(look.font);
 }
 
 void drawLegend(const std::vector<ShownRun>& runs, const Ruler& ruler, bool enlarged,

@@ -18,7 +18,8 @@ QRgb rgbOf(core::Color color) {
 QString stepText(double step) {
   const double perSecond = 1 / step;
   const double whole = std::round(perSecond);
-  const QLocale locale;
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
   // A fraction reads better, where it is one: to the digits a person would have typed.
   if (whole > 1 && std::abs(perSecond - whole) < 1e-4 * whole)
     return QStringLiteral("1/%1").arg(locale.toString(whole, 'f', 0));
