@@ -55,7 +55,7 @@ class SceneView : public QWidget {
 
  public slots:
   void fitRoom();
-  /// Enlarges or shrinks the picture around its middle, as one notch of the wheel does twice.
+  /// Enlarges or shrinks the picture around its middle, as two notches of the wheel do.
   void zoomIn();
   void zoomOut();
 

@@ -117,7 +117,8 @@ void SceneDrawingTest::joinsWeightsThatPartVisibly_data() {
   QTest::addColumn<int>("lines");
   QTest::newRow("together") << 0.0 << 0;
   QTest::newRow("within the outline") << 0.015 << 0;
-  QTest::newRow("apart") << 0.1 << 3;
+  QTest::newRow("just clear of it") << 0.05 << 3;
+  QTest::newRow("apart") << 0.5 << 3;
 }
 
 void SceneDrawingTest::joinsWeightsThatPartVisibly() {

@@ -15,6 +15,7 @@ class VisiblePartTest : public QObject {
   void cutsLinesAtTheArea();
   void seesNothingOfNumbersThatAreNone();
   void cutsPolylinesIntoTheirSeenStretches();
+  void doesNotRunAlongTheBorderBetweenThem();
   void keepsCoordinatesSmallHoweverFarTheDrawingReaches();
   void seesDiscsThatReachIntoThePicture();
   void drawsArrowsWithTheTipAtTheEnd();
@@ -63,6 +64,11 @@ void VisiblePartTest::cutsPolylinesIntoTheirSeenStretches() {
   QCOMPARE(stretches[0].size(), std::size_t(3));
   QCOMPARE(stretches[0].front().share, 0.0);
   QCOMPARE(stretches[1].back().share, 1.0);
+}
+
+void VisiblePartTest::doesNotRunAlongTheBorderBetweenThem() {
+  const ui::Polyline polyline{{{0.2, 0.5}, {5, 0.5}, {0.5, 0.9}}, 2, 0, false};
+  QCOMPARE(ui::seenStretches(polyline, camera()).size(), std::size_t(2));
 }
 
 void VisiblePartTest::keepsCoordinatesSmallHoweverFarTheDrawingReaches() {
