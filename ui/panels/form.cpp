@@ -11,9 +11,9 @@ namespace ui {
 
 Form::Form(SceneEditor* editor, QWidget* parent)
     : QWidget(parent), m_editor(editor), m_rows(new QFormLayout(this)) {
-  m_rows->setContentsMargins(12, 8, 12, 12);
+  m_rows->setContentsMargins(12, 8, 12, 8);
   m_rows->setHorizontalSpacing(12);
-  m_rows->setVerticalSpacing(8);
+  m_rows->setVerticalSpacing(6);
   m_rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   connect(editor, &SceneEditor::sceneReplaced, this, &Form::discardTyped);
   connect(editor, &SceneEditor::draftChanged, this, [this] { showDraft(); });
