@@ -11,6 +11,7 @@
 #include "core/run/run.h"
 #include "core/scene/scene_limits.h"
 #include "ui/chart/chart_export.h"
+#include "ui/control/run_words.h"
 #include "ui/files/scene_file.h"
 #include "ui/view/scene_picture.h"
 
@@ -32,11 +33,6 @@ struct Texts {
 
 QString numberWords(double number) {
   return QString::fromStdString(core::numberText(number));
-}
-
-QString runWords(const core::Solver& solver) {
-  return Texts::tr("%1, step %2 s")
-      .arg(QString::fromStdString(solver.method), numberWords(solver.step));
 }
 
 SimulateCall tablesWanted() {
@@ -107,7 +103,7 @@ class Demonstration {
   QString writeChart() const {
     std::vector<ui::ChartedRun> charted;
     for (std::size_t i = 0; i < m_runs.size(); ++i) {
-      charted.push_back({&m_histories[i].ledger(), runWords(m_runs[i].solver())});
+      charted.push_back({&m_histories[i].ledger(), ui::runWords(m_runs[i].solver())});
     }
     return ui::writeEnergyChart(kChartFile, charted,
                                 {QString::fromStdString(m_scene->name), QString()});
@@ -115,7 +111,7 @@ class Demonstration {
 
   QString summary() const {
     QStringList names;
-    for (const core::Run& run : m_runs) names.append(runWords(run.solver()));
+    for (const core::Run& run : m_runs) names.append(ui::runWords(run.solver()));
     return Texts::tr(
                "There is no display for the window, so \"%1\" was simulated for %2 s.\n"
                "%3: energy with %4\n"

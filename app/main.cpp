@@ -17,15 +17,17 @@
 
 namespace {
 
-/// Qt's own messages; where it would abort, because a display cannot be opened as a rule,
-/// the program ends with one clear line instead.
+/// Where Qt would abort, because a display cannot be opened as a rule, the program ends with
+/// one clear line instead. Remarks about a desktop are left out where none is needed.
 void showMessage(QtMsgType type, const QMessageLogContext& context, const QString& message) {
   if (type == QtFatalMsg) {
     std::_Exit(app::failure(
         app::kFailed, QCoreApplication::translate("app::main", "the window cannot be opened: %1")
                           .arg(message.section('\n', 0, 0))));
   }
-  std::fprintf(stderr, "%s\n", qFormatLogMessage(type, context, message).toUtf8().constData());
+  if (app::hasDisplay() || type == QtCriticalMsg) {
+    std::fprintf(stderr, "%s\n", qFormatLogMessage(type, context, message).toUtf8().constData());
+  }
 }
 
 /// Runs what the command line asks for.

@@ -89,7 +89,7 @@ void refuseSharedFiles(const SimulateCall& call) {
     if (file.isEmpty()) continue;
     const QString identity = identityOf(file);
     if (taken.contains(identity)) {
-      Arguments::refuse(option, Texts::tr("%1 is in use already").arg(file));
+      Arguments::refuse(option, Texts::tr("%1 is used twice").arg(file));
     }
     taken.append(identity);
   }

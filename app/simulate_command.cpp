@@ -10,6 +10,7 @@
 #include "core/run/run.h"
 #include "core/scene/scene_limits.h"
 #include "ui/chart/chart_export.h"
+#include "ui/control/run_words.h"
 #include "ui/files/scene_file.h"
 
 namespace app {
@@ -61,10 +62,7 @@ class Simulation {
   }
 
   ExitStatus writeChart() const {
-    const core::Solver& solver = m_call.solver;
-    const QString name = Texts::tr("%1, step %2 s")
-                             .arg(QString::fromStdString(solver.method),
-                                  QString::fromStdString(core::numberText(solver.step)));
+    const QString name = ui::runWords(m_call.solver);
     const QString error =
         ui::writeEnergyChart(m_call.chart, {{&m_history.ledger(), name}},
                              {QString::fromStdString(m_run.scene().name), QString()});

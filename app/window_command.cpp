@@ -24,7 +24,7 @@ bool hasDisplay() {
 ExitStatus runWindow(const WindowCall& call) {
   const ui::SceneOrError read = ui::readFileOrBuiltIn(call.scene);
   if (!read.scene) return failure(kRefused, call.scene + QStringLiteral(": ") + read.error);
-  const QString file = QFileInfo(call.scene).isFile() ? call.scene : QString();
+  const QString file = QFileInfo::exists(call.scene) ? call.scene : QString();
   ui::MainWindow window(*read.scene, file);
   window.show();
   return QApplication::exec() == 0 ? kSuccess : kFailed;

@@ -17,21 +17,26 @@ Bernstein<6> squaredDistance(const Path& a, const Path& b) {
   return result;
 }
 
-/// What follows a moment of touching: `gap` starts at zero by definition. If it starts to
-/// open, or stays, only a later fall counts.
+/// What follows a moment of touching: `gap` starts at zero by definition, and opens at
+/// `opening` per u. If it starts to open, or stays, only a later fall counts.
 template <int kDegree>
-std::optional<Contact> contactAfterTouching(const Bernstein<kDegree>& gap, bool still,
-                                            double tolerance) {
-  const Bernstein<kDegree - 1> opening = withoutRootAtZero<kDegree>(gap);
+std::optional<Contact> contactAfterTouching(const Bernstein<kDegree>& gap, double opening,
+                                            bool still, double tolerance) {
+  Bernstein<kDegree - 1> rest = withoutRootAtZero<kDegree>(gap);
   if (!still) {
-    const std::optional<double> fall = firstFall<kDegree - 1>(opening, 0);
+    rest[0] = opening;
+    const std::optional<double> fall = firstFall<kDegree - 1>(rest, tolerance);
     return fall ? std::optional(Contact{*fall}) : std::nullopt;
   }
   // The speed is zero to within rounding, so the next order decides.
-  const Bernstein<kDegree - 2> bending = withoutRootAtZero<kDegree - 1>(opening);
-  const std::optional<double> fall = firstFall<kDegree - 2>(bending, tolerance);
+  const std::optional<double> fall =
+      firstFall<kDegree - 2>(withoutRootAtZero<kDegree - 1>(rest), tolerance);
   if (!fall) return std::nullopt;
   return Contact{*fall, *fall == 0};
+}
+
+std::optional<Contact> plainContact(std::optional<double> u) {
+  return u ? std::optional(Contact{*u}) : std::nullopt;
 }
 
 }  // namespace
@@ -39,46 +44,41 @@ std::optional<Contact> contactAfterTouching(const Bernstein<kDegree>& gap, bool 
 std::optional<Contact> firstContact(const Path& a, const Path& b, double touching, double duration,
                                     const ContactTolerance& tolerance) {
   Bernstein<6> gap = squaredDistance(a, b);
-  const double squaredTouching = touching * touching;
   const double startDistance = std::sqrt(gap[0]);
-  for (double& coefficient : gap) coefficient -= squaredTouching;
-  if (startDistance - touching > tolerance.gap) {
-    const std::optional<double> fall = firstFall<6>(gap, 0);
-    return fall ? std::optional(Contact{*fall}) : std::nullopt;
-  }
-  // d(distance)/du = (d(squared distance)/du) / (2 distance).
-  const double opening = 3 * (gap[1] - gap[0]) / startDistance;
-  const double still = tolerance.speed * duration;
-  if (opening < -still) return Contact{0};
-  return contactAfterTouching<6>(gap, opening <= still, 2 * touching * tolerance.gap);
+  for (double& coefficient : gap) coefficient -= touching * touching;
+  if (startDistance - touching > tolerance.gap) return plainContact(firstFall<6>(gap, 0));
+  const Eigen::Vector2d apart = a.points[0] - b.points[0];
+  const double speed = apart.dot(a.velocity - b.velocity) / startDistance;
+  if (speed < -tolerance.speed) return Contact{0};
+  return contactAfterTouching<6>(gap, 2 * startDistance * speed * duration,
+                                 speed <= tolerance.speed, 2 * touching * tolerance.gap);
 }
 
-std::optional<Contact> firstWallContact(const Bernstein<3>& distance, double duration,
+std::optional<Contact> firstWallContact(const Bernstein<3>& distance, double speed, double duration,
                                         const ContactTolerance& tolerance) {
-  if (distance[0] > tolerance.gap) {
-    const std::optional<double> fall = firstFall<3>(distance, 0);
-    return fall ? std::optional(Contact{*fall}) : std::nullopt;
-  }
-  const double opening = 3 * (distance[1] - distance[0]);
-  const double still = tolerance.speed * duration;
-  if (opening < -still) return Contact{0};
-  return contactAfterTouching<3>(distance, opening <= still, tolerance.gap);
+  if (distance[0] > tolerance.gap) return plainContact(firstFall<3>(distance, 0));
+  if (speed < -tolerance.speed) return Contact{0};
+  return contactAfterTouching<3>(distance, speed * duration, speed <= tolerance.speed,
+                                 tolerance.gap);
 }
 
 std::optional<double> firstTaut(const Path& path, const Eigen::Vector2d& pivot, double length,
                                 double duration, double outwardAcceleration,
                                 const ContactTolerance& tolerance) {
-  const Path fixed{{pivot, pivot, pivot, pivot}};
+  const Path fixed{{pivot, pivot, pivot, pivot}, {0, 0}};
   Bernstein<6> room = squaredDistance(path, fixed);
   const double startDistance = std::sqrt(room[0]);
   for (double& coefficient : room) coefficient = length * length - coefficient;
   if (length - startDistance > tolerance.gap) return firstFall<6>(room, 0);
-  const double closing = 3 * (room[0] - room[1]) / startDistance;
-  const double still = tolerance.speed * duration;
-  if (closing > still) return 0.0;
-  if (closing < -still) return firstFall<5>(withoutRootAtZero<6>(room), 0);
+  const double closing = path.velocity.dot(path.points[0] - pivot) / startDistance;
+  if (closing > tolerance.speed) return 0.0;
+  Bernstein<5> rest = withoutRootAtZero<6>(room);
+  if (closing < -tolerance.speed) {
+    rest[0] = -2 * startDistance * closing * duration;
+    return firstFall<5>(rest, 2 * length * tolerance.gap);
+  }
   if (outwardAcceleration > 0) return 0.0;
-  Bernstein<4> bending = withoutRootAtZero<5>(withoutRootAtZero<6>(room));
+  Bernstein<4> bending = withoutRootAtZero<5>(rest);
   bending[0] = -length * outwardAcceleration * duration * duration;
   if (bending[0] > 2 * length * tolerance.gap) return firstFall<4>(bending, 0);
   // A rope that just went slack: neither speed nor acceleration leads away from the circle,

@@ -37,7 +37,8 @@ std::optional<Contact> firstContact(const Path& a, const Path& b, double touchin
 /// The same for a disc and a wall: first moment at which `distance` falls to zero.
 ///
 /// @param distance  from the disc's edge to the wall, positive inside the room [m]
-std::optional<Contact> firstWallContact(const Bernstein<3>& distance, double duration,
+/// @param speed     its rate of change at the start [m/s]
+std::optional<Contact> firstWallContact(const Bernstein<3>& distance, double speed, double duration,
                                         const ContactTolerance& tolerance);
 
 /// First moment at which the center's distance from a fixed point rises to `length`: a

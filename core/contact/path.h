@@ -12,6 +12,9 @@ namespace core {
 /// for u from 0 to 1.
 struct Path {
   std::array<Eigen::Vector2d, 4> points;
+  /// At the start [m/s]. The points tell it too, but over a short stretch not to the digits
+  /// that decide whether two weights in touch part or press.
+  Eigen::Vector2d velocity;
 
   /// The cubic through both ends with both velocities (Hermite).
   /// @param duration  of the stretch [s], ≥ 0
@@ -19,7 +22,8 @@ struct Path {
                       const Eigen::Vector2d& end, const Eigen::Vector2d& endVelocity,
                       double duration) {
     return {
-        {begin, begin + beginVelocity * (duration / 3), end - endVelocity * (duration / 3), end}};
+        {begin, begin + beginVelocity * (duration / 3), end - endVelocity * (duration / 3), end},
+        beginVelocity};
   }
 
   /// One coordinate as a polynomial [m]; 0 for x, 1 for y.

@@ -98,7 +98,8 @@ std::optional<Foresight::WallMoment> Foresight::wallBetween(const Body& body, co
   const auto look = [&](int axis, double wall, double inward, Upcoming::Kind kind) {
     Bernstein<3> distance = path.coordinate(axis);
     for (double& d : distance) d = inward * (d - wall) - body.radius;
-    const std::optional<Contact> contact = firstWallContact(distance, to - from, m_tolerance);
+    const std::optional<Contact> contact =
+        firstWallContact(distance, inward * path.velocity[axis], to - from, m_tolerance);
     if (!contact) return;
     const double time = from + contact->u * (to - from);
     if (!first || time < first->time) first = WallMoment{{time, contact->pressing}, kind};
@@ -164,10 +165,17 @@ std::optional<double> Foresight::taut(const Body& body, const Piece& piece) cons
   const double outward = around * around / body.length + acceleration.dot(radial);
   // Where the tension falls to zero the two cancel, up to rounding.
   const double rounding = 1e-12 * (acceleration.norm() + std::abs(outward));
-  return momentOf(firstTaut(pathOf(body, piece, piece.begin, piece.end), body.pivot, body.length,
-                            piece.end - piece.begin,
-                            outward > rounding ? outward : std::min(outward, 0.0), m_tolerance),
-                  piece.begin, piece.end);
+  const bool pulled = outward > rounding;
+  // A straight path cannot follow a circle it starts along: Euler's own error takes it
+  // outside by less than it moves in one step, and gravity bends it back.
+  const double stretch = out.norm() - body.length;
+  const double travel = velocity.norm() * (piece.end - piece.begin);
+  if (piece.straight && !pulled && stretch >= -m_tolerance.gap && stretch < travel)
+    return std::nullopt;
+  return momentOf(
+      firstTaut(pathOf(body, piece, piece.begin, piece.end), body.pivot, body.length,
+                piece.end - piece.begin, pulled ? outward : std::min(outward, 0.0), m_tolerance),
+      piece.begin, piece.end);
 }
 
 std::optional<double> Foresight::stop(const Piece& piece) const {

@@ -21,12 +21,12 @@ QPointF crossing(const CurvePoint& from, const CurvePoint& to, double limit) {
 /// Appends where the way from one point to the next crosses a limit, in order of x.
 void appendCrossings(QList<QPointF>& cut, const CurvePoint& from, const CurvePoint& to,
                      double lowest, double highest) {
-  const auto crosses = [&](double limit) { return (from.y < limit) != (to.y < limit); };
+  const bool crossesLowest = (from.y < lowest) != (to.y < lowest);
+  const bool crossesHighest = (from.y > highest) != (to.y > highest);
   const bool rising = from.y < to.y;
-  const double first = rising ? lowest : highest;
-  const double second = rising ? highest : lowest;
-  if (crosses(first)) cut.append(crossing(from, to, first));
-  if (crosses(second)) cut.append(crossing(from, to, second));
+  if (crossesLowest && rising) cut.append(crossing(from, to, lowest));
+  if (crossesHighest) cut.append(crossing(from, to, highest));
+  if (crossesLowest && !rising) cut.append(crossing(from, to, lowest));
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <QCoreApplication>
 #include <QFileInfo>
 
 #include "ui/files/scene_file.h"
@@ -25,10 +26,10 @@ core::Scene builtInScene(const QString& name) {
 
 SceneOrError readFileOrBuiltIn(const QString& fileOrName) {
   // A file of that name comes first: it is the user's own.
-  if (!QFileInfo(fileOrName).isFile() && builtInScenes().contains(fileOrName)) {
-    return {builtInScene(fileOrName), {}};
-  }
-  return readSceneFile(fileOrName);
+  if (QFileInfo::exists(fileOrName)) return readSceneFile(fileOrName);
+  if (builtInScenes().contains(fileOrName)) return {builtInScene(fileOrName), {}};
+  return {std::nullopt, QCoreApplication::translate("ui::BuiltInScenes",
+                                                    "no file or built-in scene of that name")};
 }
 
 }  // namespace ui

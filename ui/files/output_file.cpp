@@ -42,7 +42,7 @@ bool OutputFile::open(const QString& file) {
 
 bool OutputFile::openStandardOutput() {
   auto output = std::make_unique<QFile>();
-  const bool isOpen = output->open(stdout, kMode);
+  const bool isOpen = output->open(fileno(stdout), kMode);
   m_device = std::move(output);
   return succeeded(isOpen);
 }

@@ -35,7 +35,7 @@ void BuiltInScenesTest::opensByNameOrAsAFile() {
 
   QCOMPARE(ui::readFileOrBuiltIn(file).scene->name, scene.name);
   QCOMPARE(ui::readFileOrBuiltIn("two-weights").scene->weights.size(), std::size_t{2});
-  QCOMPARE(ui::readFileOrBuiltIn("no-such-scene").error, QString("No such file or directory"));
+  QCOMPARE(ui::readFileOrBuiltIn("no-such-scene").error, QString("no file or built-in scene of that name"));
 }
 
 void BuiltInScenesTest::demonstrationShowsTwoMethodsOnSevenWeights() {

@@ -1,0 +1,110 @@
+#include "core/recording/thinning.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QtTest>
+
+using core::CurvePoint;
+
+namespace {
+
+/// A wave of uneven spacing with a spike and a notch one point wide.
+std::vector<CurvePoint> waveWithSpikes(int count) {
+  std::vector<CurvePoint> curve;
+  for (int i = 0; i < count; ++i) {
+    const double x = std::pow(i, 1.2);
+    curve.push_back({x, std::sin(x / 50)});
+  }
+  curve[count / 3].y = 7;
+  curve[count / 2].y = -7;
+  return curve;
+}
+
+struct Extremes {
+  double lowest = 100;
+  double highest = -100;
+};
+
+Extremes extremesBetween(const std::vector<CurvePoint>& curve, double left, double right) {
+  Extremes extremes;
+  for (const CurvePoint& point : curve) {
+    if (point.x < left || point.x > right) continue;
+    extremes.lowest = std::min(extremes.lowest, point.y);
+    extremes.highest = std::max(extremes.highest, point.y);
+  }
+  return extremes;
+}
+
+}  // namespace
+
+class ThinningTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void leavesAShortCurveAlone();
+  void keepsAtMostSoMany_data();
+  void keepsAtMostSoMany();
+  void keepsEveryPeakOfEveryPart();
+  void neverKeepsAPointTwice();
+  void copesWithOneX();
+};
+
+void ThinningTest::leavesAShortCurveAlone() {
+  const std::vector<CurvePoint> curve = waveWithSpikes(50);
+  QVERIFY(core::thinned(curve, 50) == curve);
+  QVERIFY(core::thinned({}, 8).empty());
+}
+
+void ThinningTest::keepsAtMostSoMany_data() {
+  QTest::addColumn<int>("most");
+  for (const int most : {8, 11, 100, 1999}) QTest::addRow("%d", most) << most;
+}
+
+void ThinningTest::keepsAtMostSoMany() {
+  QFETCH(int, most);
+  const std::vector<CurvePoint> curve = waveWithSpikes(2000);
+  const std::vector<CurvePoint> few = core::thinned(curve, most);
+  QVERIFY(static_cast<int>(few.size()) <= most);
+  QVERIFY(static_cast<int>(few.size()) > most / 4);
+  QCOMPARE(few.front(), curve.front());
+  QCOMPARE(few.back(), curve.back());
+  // Each point is one of the curve's, and they come in its order.
+  auto from = curve.begin();
+  for (const CurvePoint& point : few) {
+    from = std::find(from, curve.end(), point);
+    QVERIFY(from != curve.end());
+    ++from;
+  }
+}
+
+void ThinningTest::keepsEveryPeakOfEveryPart() {
+  const std::vector<CurvePoint> curve = waveWithSpikes(3000);
+  const std::vector<CurvePoint> few = core::thinned(curve, 40);
+  const double width = curve.back().x / 10;
+  for (int part = 0; part < 10; ++part) {
+    // Its ends may be rounded: what lies on them may have gone to the neighbor.
+    const Extremes all = extremesBetween(curve, part * width + 1e-6, (part + 1) * width - 1e-6);
+    const Extremes kept = extremesBetween(few, part * width - 1e-6, (part + 1) * width + 1e-6);
+    QVERIFY(kept.lowest <= all.lowest);
+    QVERIFY(kept.highest >= all.highest);
+  }
+}
+
+void ThinningTest::neverKeepsAPointTwice() {
+  std::vector<CurvePoint> curve;
+  for (int i = 0; i < 100; ++i) curve.push_back({double(i), double(i)});
+  // A rising curve: first is lowest and last is highest in each of the two parts.
+  QCOMPARE(core::thinned(curve, 8).size(), std::size_t{4});
+}
+
+void ThinningTest::copesWithOneX() {
+  std::vector<CurvePoint> curve(100, CurvePoint{3, 1});
+  curve[40].y = 5;
+  curve[60].y = -5;
+  const std::vector<CurvePoint> few = core::thinned(curve, 8);
+  QVERIFY(few == (std::vector<CurvePoint>{{3, 1}, {3, 5}, {3, -5}, {3, 1}}));
+}
+
+QTEST_APPLESS_MAIN(ThinningTest)
+#include "thinning_test.moc"
