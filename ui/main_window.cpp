@@ -200,6 +200,7 @@ void MainWindow::connectPlayback() {
   connect(m_controller, &RunController::runStopped, this, &MainWindow::showStopped);
   connect(m_controller, &RunController::canCutChanged, m_commands->action(Command::kCut),
           &QAction::setEnabled);
+  m_commands->action(Command::kCut)->setEnabled(m_controller->canCut());
 }
 
 void MainWindow::connectScene() {
@@ -266,14 +267,15 @@ void MainWindow::showStopped() {
     if (run->status() != core::RunStatus::kRunning) stopped << stopWords(*run);
   }
   m_stopBar->say(stopped.join('\n'));
+  for (const Command command : {Command::kPlay, Command::kStep, Command::kStepFrame}) {
+    m_commands->action(command)->setEnabled(m_controller->canGoOn());
+  }
 }
 
 void MainWindow::showProblems() {
   const auto& problems = m_editor->problems();
-  m_problemBar->say(
-      problems.empty()
-          ? QString()
-          : tr("%1 The scene goes on as it was until that is mended.").arg(problemWords(problems)));
+  m_problemBar->say(problems.empty() ? QString()
+                                     : tr("Not applied: %1").arg(problemWords(problems)));
 }
 
 void MainWindow::showTitle() {

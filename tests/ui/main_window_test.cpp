@@ -125,6 +125,7 @@ class MainWindowTest : public QObject {
   void aSceneThatCannotRunIsNotTakenAndCanBeUndone();
   void keysReachTheWindowAfterAValueWasEntered();
   void saysWhichMethodDivergedAndWhen();
+  void offersOnlyWhatCanBeDone();
   void exportsAChartOfTheRightSize();
   void exportsAPictureOfTheRightSize();
   void exportsTheLedger();
@@ -233,7 +234,7 @@ void MainWindowTest::aBadValueIsMarkedAndTheSceneGoesOn() {
   window.controller()->play();
   pass(window, 0.1);
   enter(fieldNamed(window, "Gravity"), "-1");
-  QCOMPARE(fieldNamed(window, "Gravity")->reason(), QString("Must be from 0 to 1000 m/s²"));
+  QCOMPARE(fieldNamed(window, "Gravity")->reason(), QString("Must be from 0 to 1000\u00a0m/s²"));
   QVERIFY(window.controller()->time() >= 0.1);
   QCOMPARE(window.controller()->scene().gravity, 9.81);
   QVERIFY(!window.isWindowModified());
@@ -276,6 +277,23 @@ void MainWindowTest::saysWhichMethodDivergedAndWhen() {
   QVERIFY(window.controller()->isPlaying());
   window.controller()->reset();
   QCOMPARE(messages(window), QString());
+}
+
+void MainWindowTest::offersOnlyWhatCanBeDone() {
+  core::Scene scene = thickAir();
+  scene.solvers.pop_back();
+  MainWindow window(scene);
+  const auto isOffered = [&](Command command) {
+    return window.commands().action(command)->isEnabled();
+  };
+  QVERIFY(!isOffered(Command::kCut));  // no ropes
+  QVERIFY(isOffered(Command::kPlay));
+  window.controller()->play();
+  for (int frame = 0; frame < 30; ++frame) pass(window, 0.05);
+  QVERIFY(!isOffered(Command::kPlay));
+  QVERIFY(!isOffered(Command::kStep));
+  window.controller()->reset();
+  QVERIFY(isOffered(Command::kPlay));
 }
 
 void MainWindowTest::exportsAChartOfTheRightSize() {

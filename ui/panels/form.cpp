@@ -41,7 +41,7 @@ void Form::bind(QuantityField* field, Reader read, Writer write) {
   m_bindings.push_back({field, std::move(read)});
   connect(field, &QuantityField::edited, this, [this, field, write = std::move(write)](double v) {
     const bool canRun = m_editor->change([&](core::Scene& draft) { write(draft, v); });
-    if (!canRun) field->mark(problemWords(m_editor->problems()));
+    if (!canRun) field->mark(problemWords(m_editor->problems().front()));
   });
   connect(field, &QuantityField::cancelled, m_editor, &SceneEditor::giveUpDraft);
 }

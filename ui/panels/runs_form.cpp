@@ -78,12 +78,12 @@ QWidget* RunsForm::nameOf(const Row& row, int index) {
   const QString words = tr("Run %1").arg(index + 1);
   row.shown->setFocusPolicy(Qt::TabFocus);
   row.shown->setAccessibleName(words);
-  row.shown->setVisible(index > 0);
   auto* name = new QWidget;
   auto* layout = new QHBoxLayout(name);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
-  if (index > 0) layout->addWidget(row.shown);
+  layout->addWidget(row.shown);
+  row.shown->setHidden(index == 0);
   layout->addWidget(row.mark);
   layout->addWidget(new QLabel(words));
   return name;
