@@ -11,17 +11,29 @@ constexpr int kMostCellsPerBox = 64;
 }  // namespace
 
 void BroadPhase::rebuild(const std::vector<Box>& boxes) {
-  chooseCells(boxes);
+  m_boxes = boxes;
+  fill();
+}
+
+void BroadPhase::fill() {
+  chooseCells();
   m_heads.assign(static_cast<std::size_t>(m_columns) * m_rows, -1);
   m_entries.clear();
   m_large.clear();
-  m_seen.assign(boxes.size(), 0);
+  m_seen.assign(m_boxes.size(), 0);
   m_round = 0;
-  for (std::size_t i = 0; i < boxes.size(); ++i) add(static_cast<int>(i), boxes[i]);
+  for (std::size_t i = 0; i < m_boxes.size(); ++i) enter(static_cast<int>(i));
+  m_entriesWhenFilled = entryCount();
 }
 
-void BroadPhase::add(int weight, const Box& box) {
-  const Cells cells = cellsOf(box);
+void BroadPhase::move(int weight, const Box& box) {
+  m_boxes[weight] = box;
+  enter(weight);
+  if (entryCount() > 2 * m_entriesWhenFilled + kMostCellsPerBox) fill();
+}
+
+void BroadPhase::enter(int weight) {
+  const Cells cells = cellsOf(m_boxes[weight]);
   if (cells.count() > kMostCellsPerBox) {
     m_large.push_back(weight);
     return;
@@ -34,18 +46,18 @@ void BroadPhase::add(int weight, const Box& box) {
     }
 }
 
-void BroadPhase::chooseCells(const std::vector<Box>& boxes) {
+void BroadPhase::chooseCells() {
   m_columns = m_rows = 1;
-  if (boxes.size() < 8) return;
-  Box all = boxes.front();
+  if (m_boxes.size() < 8) return;
+  Box all = m_boxes.front();
   double edges = 0;
-  for (const Box& box : boxes) {
+  for (const Box& box : m_boxes) {
     all.low = all.low.cwiseMin(box.low);
     all.high = all.high.cwiseMax(box.high);
     edges += (box.high - box.low).sum() / 2;
   }
   const Eigen::Vector2d extent = all.high - all.low;
-  const auto count = static_cast<double>(boxes.size());
+  const auto count = static_cast<double>(m_boxes.size());
   // A cell as wide as a mean box keeps both the cells per box and the boxes per cell few;
   // never more cells than twice the weights.
   const double evenCell = std::sqrt(extent.x() * extent.y() / (2 * count));

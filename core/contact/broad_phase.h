@@ -10,15 +10,17 @@ namespace core {
 /// Uniform grid over boxes: which weights may meet at all.
 ///
 /// A box that covers more cells than it is worth is kept in a list of its own and offered
-/// to everybody. Moving a weight adds its new box and leaves the old one: a query may name
-/// weights that are no longer there, never miss one that is.
+/// to everybody. Moving a weight leaves its old box behind for a while: a query may name
+/// weights that are no longer there, never miss one that is. What is left behind is cleared
+/// away before it outnumbers what is there, so that a query stays as quick after any number
+/// of moves.
 class BroadPhase {
  public:
   /// Starts anew with one box per weight.
   void rebuild(const std::vector<Box>& boxes);
 
-  /// Adds a further box of that weight.
-  void add(int weight, const Box& box);
+  /// Moves that weight to another box.
+  void move(int weight, const Box& box);
 
   /// Calls `use(other)` once for each weight whose cells meet those of `box`, in an order
   /// that depends on the boxes alone.
@@ -52,8 +54,12 @@ class BroadPhase {
   }
 
   Cells cellsOf(const Box& box) const;
-  void chooseCells(const std::vector<Box>& boxes);
+  void fill();
+  void chooseCells();
+  void enter(int weight);
+  std::size_t entryCount() const { return m_entries.size() + m_large.size(); }
 
+  std::vector<Box> m_boxes;  // one per weight
   Eigen::Vector2d m_origin{0, 0};
   double m_cell = 1;  // edge of a cell [m]
   int m_columns = 1;
@@ -61,6 +67,7 @@ class BroadPhase {
   std::vector<int> m_heads;
   std::vector<Entry> m_entries;
   std::vector<int> m_large;
+  std::size_t m_entriesWhenFilled = 0;
   std::vector<std::uint32_t> m_seen;
   std::uint32_t m_round = 0;
 };

@@ -107,7 +107,7 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
     return;
   }
   m_boxes[index] = boxOf(m_bodies[index], moving.piece, s, end);
-  m_broadPhase.add(index, m_boxes[index]);
+  m_broadPhase.move(index, m_boxes[index]);
 }
 
 void Engine::goOn(int index, double s, const Entries& before, Mode mode, const Entries& after) {
