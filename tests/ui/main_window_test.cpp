@@ -46,14 +46,14 @@ core::Scene swingingScene() {
 /// A light ball shot into air so thick that Euler's step is far too large for it.
 core::Scene thickAir() {
   core::Scene scene;
-  scene.airDensity = 1000;
+  scene.airDensity = 30;
   scene.room.width = 1000;
   core::Weight ball;
   ball.mass = 1e-3;
   ball.position = {1, 1};
   ball.velocity = {100, 0};
   scene.weights = {ball};
-  scene.solvers = {{.method = "euler", .step = 0.05}, {.method = "rk4", .step = 1e-5}};
+  scene.solvers = {{.method = "euler", .step = 0.05}, {.method = "rk4", .step = 1e-3}};
   return scene;
 }
 

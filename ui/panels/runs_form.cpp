@@ -15,6 +15,7 @@
 #include "ui/control/run_words.h"
 #include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/panels/wheel_guard.h"
 #include "ui/style/theme.h"
 
 namespace ui {
@@ -57,6 +58,7 @@ void RunsForm::addRun(int index) {
     row.method->addItem(methodWords(method), QString::fromUtf8(method.id.data()));
   }
   row.method->setFocusPolicy(Qt::TabFocus);
+  ignoreWheelWithoutFocus(row.method);
   row.method->setAccessibleName(tr("Method of run %1").arg(index + 1));
   row.step->spinBox()->setAccessibleName(tr("Step of run %1").arg(index + 1));
   rows()->addRow(nameOf(row, index), row.method);

@@ -23,14 +23,14 @@ std::shared_ptr<core::Scene> swingingScene(double firstStep = 1.0 / 60,
 /// A light ball shot into thick air: Euler's step is far too large for the drag, RK4's is not.
 std::shared_ptr<core::Scene> thickAir() {
   core::Scene scene;
-  scene.airDensity = 1000;
+  scene.airDensity = 30;
   scene.room.width = 1000;
   core::Weight ball;
   ball.mass = 1e-3;
   ball.position = {1, 1};
   ball.velocity = {100, 0};
   scene.weights = {ball};
-  scene.solvers = {{.method = "euler", .step = 0.05}, {.method = "rk4", .step = 1e-5}};
+  scene.solvers = {{.method = "euler", .step = 0.05}, {.method = "rk4", .step = 1e-3}};
   return std::make_shared<core::Scene>(scene);
 }
 
