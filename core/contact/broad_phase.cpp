@@ -17,21 +17,33 @@ void BroadPhase::rebuild(const std::vector<Box>& boxes) {
   m_large.clear();
   m_seen.assign(boxes.size(), 0);
   m_round = 0;
+  m_ranges.assign(boxes.size(), {0, -1, 0, -1});
   for (std::size_t i = 0; i < boxes.size(); ++i) add(static_cast<int>(i), boxes[i]);
 }
 
 void BroadPhase::add(int weight, const Box& box) {
-  const Cells cells = cellsOf(box);
-  if (cells.count() > kMostCellsPerBox) {
-    m_large.push_back(weight);
-    return;
+  Cells& range = m_ranges[weight];
+  Cells cells = cellsOf(box);
+  const bool isNew = range.count() <= 0;
+  if (!isNew) {
+    cells = {std::min(range.firstColumn, cells.firstColumn),
+             std::max(range.lastColumn, cells.lastColumn), std::min(range.firstRow, cells.firstRow),
+             std::max(range.lastRow, cells.lastRow)};
+    if (cells.count() == range.count()) return;
   }
-  for (int row = cells.firstRow; row <= cells.lastRow; ++row)
-    for (int column = cells.firstColumn; column <= cells.lastColumn; ++column) {
-      int& head = m_heads[row * m_columns + column];
-      m_entries.push_back({weight, head});
-      head = static_cast<int>(m_entries.size()) - 1;
-    }
+  const bool wasLarge = !isNew && range.count() > kMostCellsPerBox;
+  if (cells.count() > kMostCellsPerBox) {
+    if (!wasLarge) m_large.push_back(weight);
+  } else {
+    for (int row = cells.firstRow; row <= cells.lastRow; ++row)
+      for (int column = cells.firstColumn; column <= cells.lastColumn; ++column) {
+        if (!isNew && range.holds(column, row)) continue;
+        int& head = m_heads[row * m_columns + column];
+        m_entries.push_back({weight, head});
+        head = static_cast<int>(m_entries.size()) - 1;
+      }
+  }
+  range = cells;
 }
 
 void BroadPhase::chooseCells(const std::vector<Box>& boxes) {

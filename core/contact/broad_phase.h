@@ -10,14 +10,14 @@ namespace core {
 /// Uniform grid over boxes: which weights may meet at all.
 ///
 /// A box that covers more cells than it is worth is kept in a list of its own and offered
-/// to everybody. Moving a weight adds its new box and leaves the old one: a query may name
-/// weights that are no longer there, never miss one that is.
+/// to everybody. A weight that moves on keeps its old cells and gets those in between: a
+/// query may name weights that are no longer there, never miss one that is.
 class BroadPhase {
  public:
   /// Starts anew with one box per weight.
   void rebuild(const std::vector<Box>& boxes);
 
-  /// Adds a further box of that weight.
+  /// Enters that weight in the cells of a further box.
   void add(int weight, const Box& box);
 
   /// Calls `use(other)` once for each weight whose cells meet those of `box`, in an order
@@ -37,6 +37,9 @@ class BroadPhase {
  private:
   struct Cells {
     int firstColumn, lastColumn, firstRow, lastRow;
+    bool holds(int column, int row) const {
+      return firstColumn <= column && column <= lastColumn && firstRow <= row && row <= lastRow;
+    }
     int count() const { return (lastColumn - firstColumn + 1) * (lastRow - firstRow + 1); }
   };
   struct Entry {
@@ -60,6 +63,7 @@ class BroadPhase {
   int m_rows = 1;
   std::vector<int> m_heads;
   std::vector<Entry> m_entries;
+  std::vector<Cells> m_ranges;  // of each weight: the cells it is entered in
   std::vector<int> m_large;
   std::vector<std::uint32_t> m_seen;
   std::uint32_t m_round = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 namespace core {
 namespace {
@@ -21,23 +20,12 @@ Eigen::Vector2d relativeVelocity(const RestingContact& contact,
 
 ContactSolver::ContactSolver(std::vector<RestingWeight>& weights,
                              std::vector<RestingContact>& contacts)
-    : m_weights(weights), m_contacts(contacts), m_firstOf(weights.size() + 1, 0) {
+    : m_weights(weights), m_contacts(contacts) {
+  m_compliance.reserve(contacts.size());
   for (const RestingContact& contact : contacts) {
-    ++m_firstOf[contact.a + 1];
-    if (contact.b >= 0) ++m_firstOf[contact.b + 1];
+    const double other = contact.b < 0 ? 0 : inverseMass(weights[contact.b], contact.normal);
+    m_compliance.push_back(inverseMass(weights[contact.a], contact.normal) + other);
   }
-  for (std::size_t i = 1; i < m_firstOf.size(); ++i) m_firstOf[i] += m_firstOf[i - 1];
-  m_contactsOf.resize(m_firstOf.back());
-  std::vector<int> next(m_firstOf.begin(), m_firstOf.end() - 1);
-  for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
-    m_contactsOf[next[contacts[i].a]++] = i;
-    if (contacts[i].b >= 0) m_contactsOf[next[contacts[i].b]++] = i;
-  }
-}
-
-std::span<const int> ContactSolver::contactsOf(int weight) const {
-  return std::span(m_contactsOf)
-      .subspan(m_firstOf[weight], m_firstOf[weight + 1] - m_firstOf[weight]);
 }
 
 void ContactSolver::push(RestingWeight& weight, double impulse, const Eigen::Vector2d& direction) {
@@ -55,74 +43,84 @@ double ContactSolver::inverseMass(const RestingWeight& weight,
   return along * along / weight.mass;
 }
 
-void ContactSolver::applyCarried() {
-  for (const RestingContact& contact : m_contacts) {
-    if (contact.push == 0) continue;
-    const Eigen::Vector2d impulse =
-        contact.push * contact.normal + contact.drag * tangentOf(contact);
-    push(m_weights[contact.a], 1, impulse);
-    if (contact.b >= 0) push(m_weights[contact.b], -1, impulse);
-  }
+void ContactSolver::exchange(const RestingContact& contact, double pushed, double dragged) {
+  const Eigen::Vector2d impulse = pushed * contact.normal + dragged * tangentOf(contact);
+  push(m_weights[contact.a], 1, impulse);
+  if (contact.b >= 0) push(m_weights[contact.b], -1, impulse);
 }
 
-bool ContactSolver::settle(RestingContact& contact, double duration, double tolerance) {
+void ContactSolver::applyCarried() {
+  for (const RestingContact& contact : m_contacts) exchange(contact, contact.push, contact.drag);
+}
+
+double ContactSolver::settle(RestingContact& contact, double duration) {
+  const double compliance = m_compliance[&contact - m_contacts.data()];
+  if (compliance <= 0) return 0;
   RestingWeight& a = m_weights[contact.a];
-  RestingWeight* b = contact.b < 0 ? nullptr : &m_weights[contact.b];
-  const auto exchange = [&](double impulse, const Eigen::Vector2d& direction) {
-    push(a, impulse, direction);
-    if (b) push(*b, -impulse, direction);
-  };
-  const double compliance =
-      inverseMass(a, contact.normal) + (b ? inverseMass(*b, contact.normal) : 0);
-  if (compliance <= 0) return false;
   const double closing =
       relativeVelocity(contact, m_weights).dot(contact.normal) + contact.gap / duration;
   const double pushed = std::max(0.0, contact.push - closing / compliance);
   const double change = pushed - contact.push;
-  bool moved = std::abs(change) * compliance > tolerance;
-  if (change != 0) exchange(change, contact.normal);
   contact.push = pushed;
-  if (contact.friction <= 0 || !a.track.isZero(0)) return moved;
-  const Eigen::Vector2d tangent = tangentOf(contact);
-  const double slip = a.velocity.dot(tangent);
+  if (change != 0) exchange(contact, change, 0);
+  if (contact.friction <= 0 || !a.track.isZero(0)) return std::abs(change) * compliance;
+  const double slip = a.velocity.dot(tangentOf(contact));
   const double most = contact.friction * contact.push;
   const double dragged = std::clamp(contact.drag - slip * a.mass, -most, most);
-  moved = moved || std::abs(dragged - contact.drag) > tolerance * a.mass;
-  exchange(dragged - contact.drag, tangent);
+  const double dragChange = dragged - contact.drag;
   contact.drag = dragged;
-  return moved;
+  exchange(contact, 0, dragChange);
+  return std::max(std::abs(change) * compliance, std::abs(dragChange) / a.mass);
 }
 
-bool ContactSolver::solve(std::span<const int> contacts, double duration, double tolerance,
-                          long mostVisits) {
-  std::deque<int> queue(contacts.begin(), contacts.end());
-  std::vector<char> waiting(m_contacts.size(), 0);
-  for (const int i : contacts) waiting[i] = 1;
-  const auto wake = [&](int weight, int except) {
-    for (const int i : contactsOf(weight)) {
-      if (waiting[i] || i == except) continue;
-      waiting[i] = 1;
-      queue.push_back(i);
-    }
+bool ContactSolver::solve(double duration, double tolerance, int mostSweeps) {
+  struct Impulse {
+    double push = 0;
+    double drag = 0;
   };
-  for (long visits = 0; !queue.empty(); ++visits) {
-    if (visits == mostVisits) return false;
-    const int i = queue.front();
-    queue.pop_front();
-    waiting[i] = 0;
-    if (!settle(m_contacts[i], duration, tolerance)) continue;
-    wake(m_contacts[i].a, i);
-    if (m_contacts[i].b >= 0) wake(m_contacts[i].b, i);
+  std::vector<Impulse> direction(m_contacts.size());
+  std::vector<Impulse> before(m_contacts.size());
+  double lastSquare = 0;
+  for (int sweep = 0; sweep < mostSweeps; ++sweep) {
+    double largest = 0, square = 0;
+    for (std::size_t i = 0; i < m_contacts.size(); ++i) {
+      RestingContact& contact = m_contacts[i];
+      before[i] = {contact.push, contact.drag};
+      largest = std::max(largest, settle(contact, duration));
+      const double pushed = contact.push - before[i].push, dragged = contact.drag - before[i].drag;
+      square += m_compliance[i] * (pushed * pushed + dragged * dragged);
+    }
+    if (largest <= tolerance) return true;
+    if (sweep + 1 == mostSweeps) break;  // what is further along a direction may not be a push
+    const double share = lastSquare > 0 ? square / lastSquare : 2;
+    lastSquare = square;
+    // A growing residual means that another set of contacts pushes now: start anew.
+    const bool restarts = share > 1;
+    for (std::size_t i = 0; i < m_contacts.size(); ++i) {
+      RestingContact& contact = m_contacts[i];
+      const double pushed = contact.push - before[i].push, dragged = contact.drag - before[i].drag;
+      if (restarts) {
+        direction[i] = {};
+        continue;
+      }
+      const Impulse further{share * direction[i].push, share * direction[i].drag};
+      direction[i] = {further.push + pushed, further.drag + dragged};
+      contact.push += further.push;
+      contact.drag += further.drag;
+      exchange(contact, further.push, further.drag);
+    }
   }
-  return true;
+  return false;
 }
 
 double inelasticLoss(std::span<const RestingContact> contacts,
-                     std::span<const RestingWeight> before, std::span<const RestingWeight> after) {
+                     std::span<const Eigen::Vector2d> before,
+                     std::span<const RestingWeight> after) {
   double loss = 0;
   for (const RestingContact& contact : contacts) {
-    const Eigen::Vector2d mean =
-        relativeVelocity(contact, before) + relativeVelocity(contact, after);
+    if (contact.push == 0) continue;
+    Eigen::Vector2d mean = before[contact.a] + after[contact.a].velocity;
+    if (contact.b >= 0) mean -= before[contact.b] + after[contact.b].velocity;
     loss -= 0.5 * (contact.push * contact.normal + contact.drag * tangentOf(contact)).dot(mean);
   }
   return loss;

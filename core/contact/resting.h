@@ -34,10 +34,11 @@ struct RestingContact {
 /// of −gap/duration, none overlaps on its way, touching or not. On surfaces with friction
 /// the tangential impulse stops the slip or is μ push.
 ///
-/// Gauss–Seidel over a queue: a contact is looked at again when one of its weights has
-/// changed its velocity, so what happens in one corner of a pile costs nothing in another.
-/// Source: Moreau, Unilateral contact and dry friction in finite freedom dynamics (1988);
-/// Jean, The non-smooth contact dynamics method, CMAME 177 (1999), §4.
+/// Projected Gauss–Seidel sweeps, with conjugate directions laid over them: a plain sweep
+/// carries a push one layer further, so deep piles would need thousands.
+/// Source: Jean, The non-smooth contact dynamics method, CMAME 177 (1999), §4;
+/// Silcowitz, Niebe & Erleben, A nonsmooth nonlinear conjugate gradient method for
+/// interactive contact force problems, The Visual Computer 26 (2010), §3.
 class ContactSolver {
  public:
   /// @param weights   indices in the contacts refer to these; must outlive the solver
@@ -46,34 +47,30 @@ class ContactSolver {
   /// Gives the impulses the contacts already carry to the weights (warm start).
   void applyCarried();
 
-  /// Solves until no contact is violated by more than `tolerance`.
+  /// Solves until no contact would change its weights' approach by more than `tolerance`.
   ///
-  /// @param contacts   where to begin: indices of contacts; all that follow are found
-  /// @param duration   of the stretch [s], > 0
-  /// @param tolerance  [m/s], > 0
-  /// @param mostVisits most contacts looked at, ≥ 1: a bound on the work
-  /// @return           false if the bound ended it
-  bool solve(std::span<const int> contacts, double duration, double tolerance, long mostVisits);
-
-  /// Contacts of a weight.
-  std::span<const int> contactsOf(int weight) const;
+  /// @param duration    of the stretch [s], > 0
+  /// @param tolerance   [m/s], > 0
+  /// @param mostSweeps  over all contacts, ≥ 1: a bound on the work
+  /// @return            false if the bound ended it
+  bool solve(double duration, double tolerance, int mostSweeps);
 
  private:
-  /// Looks at one contact; true if a velocity changed by more than the tolerance.
-  bool settle(RestingContact& contact, double duration, double tolerance);
+  /// Looks at one contact. @return by how much the approach changed [m/s]
+  double settle(RestingContact& contact, double duration);
+  void exchange(const RestingContact& contact, double push, double drag);
   void push(RestingWeight& weight, double impulse, const Eigen::Vector2d& direction);
   double inverseMass(const RestingWeight& weight, const Eigen::Vector2d& direction) const;
 
   std::vector<RestingWeight>& m_weights;
   std::vector<RestingContact>& m_contacts;
-  std::vector<int> m_firstOf;  // of each weight into m_contactsOf, and the end
-  std::vector<int> m_contactsOf;
+  std::vector<double> m_compliance;  // of contacts along their normals [1/kg]
 };
 
 /// Heat of solved contacts, for weights that had the velocities `before` [J], ≥ 0 in sum:
 /// −Σ push (v_n before + v_n after)/2, the work that inelastic contacts take.
 double inelasticLoss(std::span<const RestingContact> contacts,
-                     std::span<const RestingWeight> before, std::span<const RestingWeight> after);
+                     std::span<const Eigen::Vector2d> before, std::span<const RestingWeight> after);
 
 /// What sliding on surfaces takes: Σ |drag v_t| with the slip after [J].
 double slipLoss(std::span<const RestingContact> contacts, std::span<const RestingWeight> after);

@@ -57,7 +57,7 @@ class Engine {
     int finished = -1;        // its latest finished piece of this step, or −1
     int meetings = 0;         // with other weights in this step
     bool asleep = false;
-    std::uint8_t stillFor = 0;
+    double stillFor = 0;
   };
   struct FinishedPiece {
     Piece piece;
@@ -126,10 +126,10 @@ class Engine {
   void solveImpacts(Group& group, ContactSolver& solver, double s);
   void solveSupport(Group& group, ContactSolver& solver, double s, double duration);
   void carryImpulses(const Group& group);
-  void fallAsleep(const Group& group);
+  void fallAsleep(const Group& group, double s, double duration);
   void releaseOrKeep(const Group& group, double s, bool foresee);
   void spread(double s, const std::vector<int>& seeds);
-  void moveSpread(const Group& group, const std::vector<RestingWeight>& before, double s);
+  void moveSpread(const Group& group, double s);
   bool isSupported(int index) const;
   Entries withVelocity(int index, Mode mode, const Entries& state,
                        const Eigen::Vector2d& velocity) const;

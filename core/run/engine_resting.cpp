@@ -15,11 +15,16 @@ namespace {
 // Forces in groups are found anew this often [1/s].
 constexpr double kSolvesPerSecond = 240;
 // Velocities of solved contacts are right to this [m/s].
-constexpr double kSolverTolerance = 1e-10;
-// A weight slower than this, and changing by less, is about to fall asleep [m/s]. One that
-// sets out to roll off another from 0.1 µm off its top is faster after one solve.
-constexpr double kStillSpeed = 1e-8;
-constexpr int kStillSolves = 8;
+constexpr double kSolverTolerance = 1e-6;
+// After a hit, until the next solve, this is enough [m/s].
+constexpr double kHitTolerance = 1e-5;
+constexpr int kMostSweeps = 400;
+// A group falls asleep when all its weights have been slower than this share of √(2 g r)
+// for this many times √(2 r / g), the time in which what stands on a point leaves it by a
+// factor of e: one that sets out to roll off another from 10⁻⁸ r off its top is faster by
+// then.
+constexpr double kStillSpeed = 1e-4;
+constexpr double kStillTimes = 10;
 // Gaps up to this count as touching within a group [m].
 constexpr double kTouchingGap = 1e-9;
 
@@ -49,6 +54,7 @@ class Engine::Group {
     RestingWeight weight{velocityOf(body, piece.mode, state), body.mass};
     if (isTethered(piece.mode)) weight.track = trackOf(state);
     weights.push_back(weight);
+    unkicked.push_back(weight.velocity);
     fastest = std::max(fastest, weight.velocity.norm());
   }
 
@@ -106,20 +112,19 @@ class Engine::Group {
     keys.push_back(key);
   }
 
-  /// True if the work ended before its bound.
-  bool solve(ContactSolver& solver, double tolerance) {
-    std::vector<int> all(contacts.size());
-    std::iota(all.begin(), all.end(), 0);
-    return solver.solve(all, m_duration, tolerance, 200 * static_cast<long>(all.size()) + 1000);
+  void solve(ContactSolver& solver, double tolerance) {
+    solver.solve(m_duration, tolerance, kMostSweeps);
   }
 
-  std::vector<int> members;               // indices of weights
-  std::vector<RestingWeight> weights;     // in the order of members
-  std::vector<Eigen::Vector2d> places;    // likewise [m]
-  std::vector<RestingContact> contacts;   // refer to places in `members`
-  std::vector<int> keys;                  // of contacts: other weight, or Surface
-  std::vector<Eigen::Vector2d> unkicked;  // velocities after impacts, before forces [m/s]
-  std::vector<char> hitOrHeld;            // of members: some contact pushes
+  std::vector<int> members;              // indices of weights
+  std::vector<RestingWeight> weights;    // in the order of members
+  std::vector<Eigen::Vector2d> places;   // likewise [m]
+  std::vector<RestingContact> contacts;  // refer to places in `members`
+  std::vector<int> keys;                 // of contacts: other weight, or Surface
+  /// Velocities when they became members; from solveImpacts() on, those after impacts and
+  /// before forces [m/s].
+  std::vector<Eigen::Vector2d> unkicked;
+  std::vector<char> hitOrHeld;  // of members: some contact pushes
   double fastest = 0;
 
  private:
@@ -177,21 +182,21 @@ void Engine::settle(double s, bool foresee) {
   solveImpacts(group, solver, s);
   solveSupport(group, solver, s, duration);
   carryImpulses(group);
-  fallAsleep(group);
+  fallAsleep(group, s, duration);
   releaseOrKeep(group, s, foresee);
 }
 
 void Engine::solveImpacts(Group& group, ContactSolver& solver, double s) {
-  const std::vector<RestingWeight> before = group.weights;
   group.solve(solver, kSolverTolerance);
-  loseQuietly(s, inelasticLoss(group.contacts, before, group.weights), 0);
+  loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
   group.hitOrHeld.assign(group.members.size(), 0);
   for (const RestingContact& contact : group.contacts) {
     if (contact.push == 0) continue;
     group.hitOrHeld[contact.a] = 1;
     if (contact.b >= 0) group.hitOrHeld[contact.b] = 1;
   }
-  for (const RestingWeight& weight : group.weights) group.unkicked.push_back(weight.velocity);
+  for (std::size_t k = 0; k < group.members.size(); ++k)
+    group.unkicked[k] = group.weights[k].velocity;
 }
 
 void Engine::solveSupport(Group& group, ContactSolver& solver, double s, double duration) {
@@ -238,7 +243,7 @@ void Engine::carryImpulses(const Group& group) {
   m_now.contacts = std::move(carried);
 }
 
-void Engine::fallAsleep(const Group& group) {
+void Engine::fallAsleep(const Group& group, double s, double duration) {
   std::vector<int> parent(group.members.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int k) {
@@ -251,16 +256,20 @@ void Engine::fallAsleep(const Group& group) {
   std::vector<char> mayRest(group.members.size(), 1);
   for (int k = 0; k < static_cast<int>(group.members.size()); ++k) {
     Moving& moving = m_moving[group.members[k]];
-    const Eigen::Vector2d& velocity = group.weights[k].velocity;
-    const bool still =
-        velocity.norm() <= kStillSpeed && (velocity - group.unkicked[k]).norm() <= kStillSpeed;
-    moving.stillFor = still && group.hitOrHeld[k]
-                          ? static_cast<std::uint8_t>(std::min(moving.stillFor + 1, kStillSolves))
-                          : 0;
-    if (moving.stillFor < kStillSolves) mayRest[root(k)] = 0;
+    const double size = 2 * m_bodies[group.members[k]].radius;
+    const double gravity = m_scene->gravity;
+    const bool still = group.weights[k].velocity.norm() <= kStillSpeed * std::sqrt(gravity * size);
+    moving.stillFor = still && group.hitOrHeld[k] ? moving.stillFor + duration : 0;
+    if (!(moving.stillFor * moving.stillFor * gravity > kStillTimes * kStillTimes * size))
+      mayRest[root(k)] = 0;
   }
-  for (int k = 0; k < static_cast<int>(group.members.size()); ++k)
+  double lost = 0;
+  for (int k = 0; k < static_cast<int>(group.members.size()); ++k) {
     m_moving[group.members[k]].asleep = mayRest[root(k)];
+    if (mayRest[root(k)])
+      lost += 0.5 * group.weights[k].mass * group.weights[k].velocity.squaredNorm();
+  }
+  loseQuietly(s, lost, 0);
 }
 
 void Engine::releaseOrKeep(const Group& group, double s, bool foresee) {
@@ -299,37 +308,35 @@ void Engine::releaseOrKeep(const Group& group, double s, bool foresee) {
 }
 
 void Engine::spread(double s, const std::vector<int>& seeds) {
-  const double duration = std::max(boundaryAfter(s) - s, 1e-9);
-  std::vector<int> expanded = seeds;
-  for (;;) {
-    Group group(*this, s, duration);
-    for (const int i : expanded) group.add(i);
-    for (int local = 0; local < static_cast<int>(expanded.size()); ++local) {
-      group.addSurfacesOf(local);
-      group.addNeighborsOf(local, [&](int other) {
+  Group group(*this, s, std::max(boundaryAfter(s) - s, 1e-9));
+  for (const int i : seeds) group.add(i);
+  std::vector<char> isExpanded;
+  for (bool reaches = true; reaches;) {
+    reaches = false;
+    isExpanded.resize(group.members.size(), 0);
+    for (std::size_t k = 0; k < isExpanded.size(); ++k) {
+      const double change = (group.weights[k].velocity - group.unkicked[k]).norm();
+      if (isExpanded[k] || (k >= seeds.size() && change <= kHitTolerance)) continue;
+      isExpanded[k] = 1;
+      reaches = true;
+      group.addSurfacesOf(static_cast<int>(k));
+      group.addNeighborsOf(static_cast<int>(k), [&](int other) {
         const int there = group.localOf(other);
-        return there < 0 || there > local || there >= static_cast<int>(expanded.size());
+        return there < 0 || there >= static_cast<int>(isExpanded.size()) || !isExpanded[there];
       });
     }
-    const std::vector<RestingWeight> before = group.weights;
+    if (!reaches) break;
     ContactSolver solver(group.weights, group.contacts);
-    group.solve(solver, kSolverTolerance);
-    std::vector<int> reached;
-    for (std::size_t k = expanded.size(); k < group.members.size(); ++k)
-      if (group.weights[k].velocity != before[k].velocity) reached.push_back(group.members[k]);
-    if (!reached.empty()) {
-      expanded.insert(expanded.end(), reached.begin(), reached.end());
-      continue;
-    }
-    loseQuietly(s, inelasticLoss(group.contacts, before, group.weights), 0);
-    return moveSpread(group, before, s);
+    group.solve(solver, kHitTolerance);
   }
+  loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
+  moveSpread(group, s);
 }
 
-void Engine::moveSpread(const Group& group, const std::vector<RestingWeight>& before, double s) {
+void Engine::moveSpread(const Group& group, double s) {
   std::vector<int> moved;
   for (std::size_t k = 0; k < group.members.size(); ++k) {
-    if (group.weights[k].velocity == before[k].velocity) continue;
+    if (group.weights[k].velocity == group.unkicked[k]) continue;
     const int index = group.members[k];
     moved.push_back(index);
     m_moving[index].asleep = false;

@@ -12,10 +12,10 @@ namespace core {
 struct WeightRecord {
   Entries state = Entries::Zero();
   Mode mode = Mode::kFlight;
-  bool tied = false;          ///< to a rope or rod, taut or slack
-  bool settled = false;       ///< one of a group in lasting contact
-  bool asleep = false;        ///< settled, and nothing in its group moves
-  std::uint8_t stillFor = 0;  ///< solves in a row after which it hardly moved
+  bool tied = false;     ///< to a rope or rod, taut or slack
+  bool settled = false;  ///< one of a group in lasting contact
+  bool asleep = false;   ///< settled, and nothing in its group moves
+  double stillFor = 0;   ///< how long it has hardly moved [s]
 };
 
 /// Energy that left the weights other than through the air [J].

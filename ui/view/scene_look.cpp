@@ -56,7 +56,7 @@ QRgb mixed(QRgb first, QRgb second, double share) {
 }
 
 QRgb visibleInRoom(QRgb color, const Theme& theme) {
-  constexpr double kLeastContrast = 1.8;
+  constexpr double kLeastContrast = 2.5;
   const QRgb outline = theme.outline.rgb();
   QRgb visible = color;
   for (double share = 0.1; share < 1; share += 0.1) {
