@@ -11,53 +11,56 @@ constexpr int kMostCellsPerBox = 64;
 }  // namespace
 
 void BroadPhase::rebuild(const std::vector<Box>& boxes) {
-  chooseCells(boxes);
+  m_boxes = boxes;
+  fill();
+}
+
+void BroadPhase::fill() {
+  chooseCells();
   m_heads.assign(static_cast<std::size_t>(m_columns) * m_rows, -1);
   m_entries.clear();
   m_large.clear();
-  m_seen.assign(boxes.size(), 0);
+  m_entered.assign(m_boxes.size(), {0, -1, 0, -1});
+  m_seen.assign(m_boxes.size(), 0);
   m_round = 0;
-  m_ranges.assign(boxes.size(), {0, -1, 0, -1});
-  for (std::size_t i = 0; i < boxes.size(); ++i) add(static_cast<int>(i), boxes[i]);
+  for (std::size_t i = 0; i < m_boxes.size(); ++i) enter(static_cast<int>(i));
+  m_entriesWhenFilled = entryCount();
 }
 
-void BroadPhase::add(int weight, const Box& box) {
-  Cells& range = m_ranges[weight];
-  Cells cells = cellsOf(box);
-  const bool isNew = range.count() <= 0;
-  if (!isNew) {
-    cells = {std::min(range.firstColumn, cells.firstColumn),
-             std::max(range.lastColumn, cells.lastColumn), std::min(range.firstRow, cells.firstRow),
-             std::max(range.lastRow, cells.lastRow)};
-    if (cells.count() == range.count()) return;
-  }
-  const bool wasLarge = !isNew && range.count() > kMostCellsPerBox;
+void BroadPhase::move(int weight, const Box& box) {
+  m_boxes[weight] = box;
+  enter(weight);
+  if (entryCount() > 2 * m_entriesWhenFilled + kMostCellsPerBox) fill();
+}
+
+void BroadPhase::enter(int weight) {
+  const Cells cells = cellsOf(m_boxes[weight]);
+  if (m_entered[weight].hold(cells)) return;
+  m_entered[weight] = cells;
   if (cells.count() > kMostCellsPerBox) {
-    if (!wasLarge) m_large.push_back(weight);
-  } else {
-    for (int row = cells.firstRow; row <= cells.lastRow; ++row)
-      for (int column = cells.firstColumn; column <= cells.lastColumn; ++column) {
-        if (!isNew && range.holds(column, row)) continue;
-        int& head = m_heads[row * m_columns + column];
-        m_entries.push_back({weight, head});
-        head = static_cast<int>(m_entries.size()) - 1;
-      }
+    m_large.push_back(weight);
+    return;
   }
-  range = cells;
+  for (int row = cells.firstRow; row <= cells.lastRow; ++row)
+    for (int column = cells.firstColumn; column <= cells.lastColumn; ++column) {
+      int& head = m_heads[row * m_columns + column];
+      m_entries.push_back({weight, head});
+      head = static_cast<int>(m_entries.size()) - 1;
+    }
 }
 
-void BroadPhase::chooseCells(const std::vector<Box>& boxes) {
+void BroadPhase::chooseCells() {
   m_columns = m_rows = 1;
-  if (boxes.size() < 8) return;
-  Box all = boxes.front();
+  if (m_boxes.size() < 8) return;
+  Box all = m_boxes.front();
   double edges = 0;
-  for (const Box& box : boxes) {
+  for (const Box& box : m_boxes) {
     all.low = all.low.cwiseMin(box.low);
     all.high = all.high.cwiseMax(box.high);
     edges += (box.high - box.low).sum() / 2;
   }
   const Eigen::Vector2d extent = all.high - all.low;
-  const auto count = static_cast<double>(boxes.size());
+  const auto count = static_cast<double>(m_boxes.size());
   // A cell as wide as a mean box keeps both the cells per box and the boxes per cell few;
   // never more cells than twice the weights.
   const double evenCell = std::sqrt(extent.x() * extent.y() / (2 * count));

@@ -10,15 +10,17 @@ namespace core {
 /// Uniform grid over boxes: which weights may meet at all.
 ///
 /// A box that covers more cells than it is worth is kept in a list of its own and offered
-/// to everybody. A weight that moves on keeps its old cells and gets those in between: a
-/// query may name weights that are no longer there, never miss one that is.
+/// to everybody. Moving a weight leaves its old box behind for a while: a query may name
+/// weights that are no longer there, never miss one that is. What is left behind is cleared
+/// away before it outnumbers what is there, so that a query stays as quick after any number
+/// of moves.
 class BroadPhase {
  public:
   /// Starts anew with one box per weight.
   void rebuild(const std::vector<Box>& boxes);
 
-  /// Enters that weight in the cells of a further box.
-  void add(int weight, const Box& box);
+  /// Moves that weight to another box.
+  void move(int weight, const Box& box);
 
   /// Calls `use(other)` once for each weight whose cells meet those of `box`, in an order
   /// that depends on the boxes alone.
@@ -37,8 +39,10 @@ class BroadPhase {
  private:
   struct Cells {
     int firstColumn, lastColumn, firstRow, lastRow;
-    bool holds(int column, int row) const {
-      return firstColumn <= column && column <= lastColumn && firstRow <= row && row <= lastRow;
+    /// False for the range no weight is entered in yet.
+    bool hold(const Cells& other) const {
+      return firstColumn <= other.firstColumn && other.lastColumn <= lastColumn &&
+             firstRow <= other.firstRow && other.lastRow <= lastRow;
     }
     int count() const { return (lastColumn - firstColumn + 1) * (lastRow - firstRow + 1); }
   };
@@ -55,16 +59,21 @@ class BroadPhase {
   }
 
   Cells cellsOf(const Box& box) const;
-  void chooseCells(const std::vector<Box>& boxes);
+  void fill();
+  void chooseCells();
+  void enter(int weight);
+  std::size_t entryCount() const { return m_entries.size() + m_large.size(); }
 
+  std::vector<Box> m_boxes;  // one per weight
   Eigen::Vector2d m_origin{0, 0};
   double m_cell = 1;  // edge of a cell [m]
   int m_columns = 1;
   int m_rows = 1;
   std::vector<int> m_heads;
   std::vector<Entry> m_entries;
-  std::vector<Cells> m_ranges;  // of each weight: the cells it is entered in
+  std::vector<Cells> m_entered;  // of each weight: the cells it was entered in last
   std::vector<int> m_large;
+  std::size_t m_entriesWhenFilled = 0;
   std::vector<std::uint32_t> m_seen;
   std::uint32_t m_round = 0;
 };

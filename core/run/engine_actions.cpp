@@ -107,7 +107,7 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
     return;
   }
   m_boxes[index] = boxOf(m_bodies[index], moving.piece, s, end);
-  m_broadPhase.add(index, m_boxes[index]);
+  m_broadPhase.move(index, m_boxes[index]);
 }
 
 void Engine::goOn(int index, double s, const Entries& before, Mode mode, const Entries& after) {
@@ -417,7 +417,7 @@ void Engine::exchange(const Upcoming& event, double s, const Entries& beforeA,
   std::vector<int> settled;
   if (settlesA) settled.push_back(a);
   if (settlesB) settled.push_back(b);
-  if (!settled.empty()) spread(s, settled);
+  if (!settled.empty()) spread(s, settled, approach);
   if (m_diverged) return;
   schedule(a);
   schedule(b);

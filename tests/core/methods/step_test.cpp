@@ -1,0 +1,88 @@
+#include <cmath>
+
+#include <QtTest>
+
+#include "core/methods/method_list.h"
+
+using core::ExplicitEuler;
+using core::Method;
+using core::RungeKutta4;
+
+namespace {
+
+constexpr auto kGrowth = [](double x) { return x; };
+constexpr auto kDecay = [](double x) { return -x * x; };
+
+/// Error at t = 1 of x' = −x² from x(0) = 1, whose solution is 1/(1 + t).
+double errorOf(std::size_t method, int steps) {
+  double x = 1;
+  for (int i = 0; i < steps; ++i)
+    core::withMethod(method,
+                     [&](auto unit) { x = unit.step(kDecay, x, kDecay(x), 1.0 / steps).end; });
+  return std::abs(x - 0.5);
+}
+
+}  // namespace
+
+/// The steps of all methods.
+class StepTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void takesAnEulerStepWorkedByHand();
+  void takesARungeKuttaStepWorkedByHand();
+  void takesAsManySlopesAsItsRowSays();
+  void staysWhereItIsInNoTime();
+  void convergesAtExactlyItsStatedOrder_data();
+  void convergesAtExactlyItsStatedOrder();
+};
+
+void StepTest::takesAnEulerStepWorkedByHand() {
+  const auto stages = ExplicitEuler::step(kGrowth, 1.0, 1.0, 0.5);
+  QCOMPARE(stages.slopes[0], 1.0);
+  QCOMPARE(stages.end, 1.5);
+}
+
+void StepTest::takesARungeKuttaStepWorkedByHand() {
+  const auto stages = RungeKutta4::step(kGrowth, 1.0, 1.0, 0.5);
+  QCOMPARE(stages.slopes, (std::array{1.0, 1.25, 1.3125, 1.65625}));
+  // 1 + h + h²/2 + h³/6 + h⁴/24
+  QVERIFY(std::abs(stages.end - 1.6484375) < 1e-15);
+}
+
+void StepTest::takesAsManySlopesAsItsRowSays() {
+  for (std::size_t i = 0; i < core::methods().size(); ++i)
+    core::withMethod(i, [&](auto unit) {
+      int calls = 0;
+      const auto counted = [&](double x) {
+        ++calls;
+        return x;
+      };
+      const auto stages = unit.step(counted, 1.0, counted(1.0), 0.1);
+      QCOMPARE(calls, decltype(unit)::kRow.slopesPerStep);
+      QCOMPARE(static_cast<int>(stages.slopes.size()), decltype(unit)::kRow.slopesPerStep);
+    });
+}
+
+void StepTest::staysWhereItIsInNoTime() {
+  for (std::size_t i = 0; i < core::methods().size(); ++i)
+    core::withMethod(i, [](auto unit) { QCOMPARE(unit.step(kDecay, 0.3, -0.09, 0.0).end, 0.3); });
+}
+
+void StepTest::convergesAtExactlyItsStatedOrder_data() {
+  QTest::addColumn<int>("index");
+  for (std::size_t i = 0; i < core::methods().size(); ++i)
+    QTest::newRow(std::string(core::methods()[i].id).c_str()) << static_cast<int>(i);
+}
+
+void StepTest::convergesAtExactlyItsStatedOrder() {
+  QFETCH(int, index);
+  const auto method = static_cast<std::size_t>(index);
+  const double order = std::log2(errorOf(method, 100) / errorOf(method, 200));
+  // What the next power of h adds at this step is below 0.01.
+  QVERIFY2(std::abs(order - core::methods()[method].order) < 0.02,
+           qPrintable(QString::number(order)));
+}
+
+QTEST_APPLESS_MAIN(StepTest)
+#include "step_test.moc"
