@@ -90,6 +90,7 @@ class Engine {
   void meet(const Upcoming& event);
   void exchange(const Upcoming& event, double s, const Entries& beforeA, const Entries& beforeB,
                 const Eigen::Vector2d& normal);
+  void logRest(int index, double s, const Entries& state);
   bool joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal);
   void hitWall(const Upcoming& event);
   void hitWallInFlight(int index, double s, const Entries& before, const Upcoming& event);

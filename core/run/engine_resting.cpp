@@ -15,10 +15,10 @@ namespace {
 // Forces in groups are found anew this often [1/s].
 constexpr double kSolvesPerSecond = 240;
 // Velocities of solved contacts are right to this [m/s].
-constexpr double kSolverTolerance = 1e-6;
+constexpr double kSolverTolerance = 1e-8;
 // After a hit, until the next solve, this is enough [m/s], or this share of the hit.
-constexpr double kHitTolerance = 1e-5;
-constexpr double kHitShare = 1e-4;
+constexpr double kHitTolerance = 1e-6;
+constexpr double kHitShare = 1e-5;
 constexpr int kMostSweeps = 400;
 // A group falls asleep when all its weights have been slower than this share of √(2 g r)
 // for this many times √(2 r / g), the time in which what stands on a point leaves it by a
