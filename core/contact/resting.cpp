@@ -10,6 +10,12 @@ Eigen::Vector2d tangentOf(const RestingContact& contact) {
   return {-contact.normal.y(), contact.normal.x()};
 }
 
+/// What an impulse of 1 N s along a unit vector does to the weight's velocity [m/s].
+Eigen::Vector2d changeOf(const RestingWeight& weight, const Eigen::Vector2d& direction) {
+  if (weight.track.isZero(0)) return direction / weight.mass;
+  return weight.track.dot(direction) / weight.mass * weight.track;
+}
+
 Eigen::Vector2d relativeVelocity(const RestingContact& contact,
                                  std::span<const RestingWeight> weights) {
   if (contact.b < 0) return weights[contact.a].velocity;
@@ -21,56 +27,49 @@ Eigen::Vector2d relativeVelocity(const RestingContact& contact,
 ContactSolver::ContactSolver(std::vector<RestingWeight>& weights,
                              std::vector<RestingContact>& contacts)
     : m_weights(weights), m_contacts(contacts) {
-  m_compliance.reserve(contacts.size());
+  m_responses.reserve(contacts.size());
   for (const RestingContact& contact : contacts) {
-    const double other = contact.b < 0 ? 0 : inverseMass(weights[contact.b], contact.normal);
-    m_compliance.push_back(inverseMass(weights[contact.a], contact.normal) + other);
+    Response response;
+    response.normalA = changeOf(weights[contact.a], contact.normal);
+    response.tangentA = changeOf(weights[contact.a], tangentOf(contact));
+    response.normalB.setZero();
+    if (contact.b >= 0) response.normalB = -changeOf(weights[contact.b], contact.normal);
+    response.compliance = (response.normalA - response.normalB).dot(contact.normal);
+    m_responses.push_back(response);
   }
 }
 
-void ContactSolver::push(RestingWeight& weight, double impulse, const Eigen::Vector2d& direction) {
-  if (weight.track.isZero(0)) {
-    weight.velocity += impulse / weight.mass * direction;
-  } else {
-    weight.velocity += impulse / weight.mass * weight.track.dot(direction) * weight.track;
-  }
-}
-
-double ContactSolver::inverseMass(const RestingWeight& weight,
-                                  const Eigen::Vector2d& direction) const {
-  if (weight.track.isZero(0)) return 1 / weight.mass;
-  const double along = weight.track.dot(direction);
-  return along * along / weight.mass;
-}
-
-void ContactSolver::exchange(const RestingContact& contact, double pushed, double dragged) {
-  const Eigen::Vector2d impulse = pushed * contact.normal + dragged * tangentOf(contact);
-  push(m_weights[contact.a], 1, impulse);
-  if (contact.b >= 0) push(m_weights[contact.b], -1, impulse);
+void ContactSolver::exchange(std::size_t index, double pushed, double dragged) {
+  const RestingContact& contact = m_contacts[index];
+  const Response& response = m_responses[index];
+  m_weights[contact.a].velocity += pushed * response.normalA + dragged * response.tangentA;
+  if (contact.b >= 0) m_weights[contact.b].velocity += pushed * response.normalB;
 }
 
 void ContactSolver::applyCarried() {
-  for (const RestingContact& contact : m_contacts) exchange(contact, contact.push, contact.drag);
+  for (std::size_t i = 0; i < m_contacts.size(); ++i)
+    exchange(i, m_contacts[i].push, m_contacts[i].drag);
 }
 
-double ContactSolver::settle(RestingContact& contact, double duration) {
-  const double compliance = m_compliance[&contact - m_contacts.data()];
-  if (compliance <= 0) return 0;
+double ContactSolver::settle(std::size_t index, double duration) {
+  RestingContact& contact = m_contacts[index];
+  const Response& response = m_responses[index];
+  if (response.compliance <= 0) return 0;
   RestingWeight& a = m_weights[contact.a];
   const double closing =
       relativeVelocity(contact, m_weights).dot(contact.normal) + contact.gap / duration;
-  const double pushed = std::max(0.0, contact.push - closing / compliance);
+  const double pushed = std::max(0.0, contact.push - closing / response.compliance);
   const double change = pushed - contact.push;
   contact.push = pushed;
-  if (change != 0) exchange(contact, change, 0);
-  if (contact.friction <= 0 || !a.track.isZero(0)) return std::abs(change) * compliance;
+  if (change != 0) exchange(index, change, 0);
+  if (contact.friction <= 0) return std::abs(change) * response.compliance;
   const double slip = a.velocity.dot(tangentOf(contact));
   const double most = contact.friction * contact.push;
   const double dragged = std::clamp(contact.drag - slip * a.mass, -most, most);
   const double dragChange = dragged - contact.drag;
   contact.drag = dragged;
-  exchange(contact, 0, dragChange);
-  return std::max(std::abs(change) * compliance, std::abs(dragChange) / a.mass);
+  if (dragChange != 0) exchange(index, 0, dragChange);
+  return std::max(std::abs(change) * response.compliance, std::abs(dragChange) / a.mass);
 }
 
 bool ContactSolver::solve(double duration, double tolerance, int mostSweeps) {
@@ -86,9 +85,9 @@ bool ContactSolver::solve(double duration, double tolerance, int mostSweeps) {
     for (std::size_t i = 0; i < m_contacts.size(); ++i) {
       RestingContact& contact = m_contacts[i];
       before[i] = {contact.push, contact.drag};
-      largest = std::max(largest, settle(contact, duration));
+      largest = std::max(largest, settle(i, duration));
       const double pushed = contact.push - before[i].push, dragged = contact.drag - before[i].drag;
-      square += m_compliance[i] * (pushed * pushed + dragged * dragged);
+      square += m_responses[i].compliance * (pushed * pushed + dragged * dragged);
     }
     if (largest <= tolerance) return true;
     if (sweep + 1 == mostSweeps) break;  // what is further along a direction may not be a push
@@ -107,7 +106,7 @@ bool ContactSolver::solve(double duration, double tolerance, int mostSweeps) {
       direction[i] = {further.push + pushed, further.drag + dragged};
       contact.push += further.push;
       contact.drag += further.drag;
-      exchange(contact, further.push, further.drag);
+      exchange(i, further.push, further.drag);
     }
   }
   return false;

@@ -56,15 +56,21 @@ class ContactSolver {
   bool solve(double duration, double tolerance, int mostSweeps);
 
  private:
+  /// What one N s along the normal or the tangent does to a contact's weights [m/s].
+  struct Response {
+    Eigen::Vector2d normalA;
+    Eigen::Vector2d normalB;
+    Eigen::Vector2d tangentA;
+    double compliance;  // of the approach [1/kg]
+  };
+
   /// Looks at one contact. @return by how much the approach changed [m/s]
-  double settle(RestingContact& contact, double duration);
-  void exchange(const RestingContact& contact, double push, double drag);
-  void push(RestingWeight& weight, double impulse, const Eigen::Vector2d& direction);
-  double inverseMass(const RestingWeight& weight, const Eigen::Vector2d& direction) const;
+  double settle(std::size_t index, double duration);
+  void exchange(std::size_t index, double push, double drag);
 
   std::vector<RestingWeight>& m_weights;
   std::vector<RestingContact>& m_contacts;
-  std::vector<double> m_compliance;  // of contacts along their normals [1/kg]
+  std::vector<Response> m_responses;  // of contacts
 };
 
 /// Heat of solved contacts, for weights that had the velocities `before` [J], ≥ 0 in sum:

@@ -128,7 +128,7 @@ class Engine {
   void carryImpulses(const Group& group);
   void fallAsleep(const Group& group, double s, double duration);
   void releaseOrKeep(const Group& group, double s, bool foresee);
-  void spread(double s, const std::vector<int>& seeds);
+  void spread(double s, const std::vector<int>& seeds, double approach);
   void moveSpread(const Group& group, double s);
   bool isSupported(int index) const;
   Entries withVelocity(int index, Mode mode, const Entries& state,

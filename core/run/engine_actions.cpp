@@ -417,7 +417,7 @@ void Engine::exchange(const Upcoming& event, double s, const Entries& beforeA,
   std::vector<int> settled;
   if (settlesA) settled.push_back(a);
   if (settlesB) settled.push_back(b);
-  if (!settled.empty()) spread(s, settled);
+  if (!settled.empty()) spread(s, settled, approach);
   if (m_diverged) return;
   schedule(a);
   schedule(b);

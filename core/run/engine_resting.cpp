@@ -16,8 +16,9 @@ namespace {
 constexpr double kSolvesPerSecond = 240;
 // Velocities of solved contacts are right to this [m/s].
 constexpr double kSolverTolerance = 1e-6;
-// After a hit, until the next solve, this is enough [m/s].
+// After a hit, until the next solve, this is enough [m/s], or this share of the hit.
 constexpr double kHitTolerance = 1e-5;
+constexpr double kHitShare = 1e-4;
 constexpr int kMostSweeps = 400;
 // A group falls asleep when all its weights have been slower than this share of √(2 g r)
 // for this many times √(2 r / g), the time in which what stands on a point leaves it by a
@@ -307,7 +308,8 @@ void Engine::releaseOrKeep(const Group& group, double s, bool foresee) {
   for (const int i : group.members) schedule(i);
 }
 
-void Engine::spread(double s, const std::vector<int>& seeds) {
+void Engine::spread(double s, const std::vector<int>& seeds, double approach) {
+  const double tolerance = std::max(kHitTolerance, kHitShare * approach);
   Group group(*this, s, std::max(boundaryAfter(s) - s, 1e-9));
   for (const int i : seeds) group.add(i);
   std::vector<char> isExpanded;
@@ -316,7 +318,7 @@ void Engine::spread(double s, const std::vector<int>& seeds) {
     isExpanded.resize(group.members.size(), 0);
     for (std::size_t k = 0; k < isExpanded.size(); ++k) {
       const double change = (group.weights[k].velocity - group.unkicked[k]).norm();
-      if (isExpanded[k] || (k >= seeds.size() && change <= kHitTolerance)) continue;
+      if (isExpanded[k] || (k >= seeds.size() && change <= tolerance)) continue;
       isExpanded[k] = 1;
       reaches = true;
       group.addSurfacesOf(static_cast<int>(k));
@@ -327,7 +329,7 @@ void Engine::spread(double s, const std::vector<int>& seeds) {
     }
     if (!reaches) break;
     ContactSolver solver(group.weights, group.contacts);
-    group.solve(solver, kHitTolerance);
+    group.solve(solver, tolerance);
   }
   loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
   moveSpread(group, s);

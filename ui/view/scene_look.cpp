@@ -44,7 +44,8 @@ double widthOf(const QString& words, const QFont& font) {
 }
 
 QRgb withOpacity(const QColor& color, double opacity) {
-  return qRgba(color.red(), color.green(), color.blue(), static_cast<int>(255 * opacity + 0.5));
+  return qRgba(color.red(), color.green(), color.blue(),
+               static_cast<int>(std::lround(255 * opacity)));
 }
 
 QRgb mixed(QRgb first, QRgb second, double share) {

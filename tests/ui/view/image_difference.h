@@ -33,3 +33,11 @@ inline ImageDifference differenceOf(const QImage& a, const QImage& b) {
   difference.shareApart /= count;
   return difference;
 }
+
+/// Share of the pixels with just this color, 0 to 1.
+inline double shareOf(QRgb color, const QImage& image) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) == color ? 1 : 0;
+  return count / (static_cast<double>(image.width()) * image.height());
+}

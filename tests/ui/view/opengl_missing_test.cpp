@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "core/run/run.h"
+#include "tests/ui/view/image_difference.h"
 #include "ui/view/opengl_probe.h"
 #include "ui/view/scene_view.h"
 
@@ -26,7 +27,9 @@ class OpenGlMissingTest : public QObject {
     view.show();
     QVERIFY(QTest::qWaitForWindowExposed(&view));
     QCOMPARE(view.painterDescription(), "QPainter (no OpenGL 3.3)");
-    QCOMPARE(view.grab().toImage().pixel(400, 250), ui::Theme::of(view.palette()).room.rgb());
+    // The ground of the room, seen between grid lines.
+    const QRgb room = ui::Theme::of(view.palette()).room.rgb();
+    QVERIFY(shareOf(room, view.grab().toImage()) > 0.3);
   }
 };
 
