@@ -7,7 +7,7 @@ namespace core {
 namespace {
 
 // More events than this in one step, and the step is given up: it would never end.
-constexpr std::int64_t kMostEventsPerStep = 2'000'000;
+constexpr std::int64_t kMostEventsPerStep = 500'000;
 
 ContactTolerance toleranceFor(const Scene& scene) {
   // Places are rounded to about 10⁻¹⁶ of the room's size.
