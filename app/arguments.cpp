@@ -25,7 +25,7 @@ void Arguments::refuse(const QString& option, const QString& reason) {
 }
 
 QStringList Arguments::words(qsizetype most) const {
-  const QStringList words = m_parser.positionalArguments();
+  QStringList words = m_parser.positionalArguments();
   if (words.size() > most) throw CallRefused{tr("unexpected argument \"%1\"").arg(words[most])};
   return words;
 }

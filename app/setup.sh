@@ -13,7 +13,8 @@ build_packages=(
   libgl1-mesa-dri fonts-dejavu-core
 )
 
-say() { echo "angrycuts: $*"; }
+# To standard error: standard output is the program's.
+say() { echo "angrycuts: $*" >&2; }
 
 fail() {
   echo "angrycuts: $*" >&2
@@ -66,8 +67,10 @@ build_release() {
   local -a options=() ninja=()
   # Nobody reads the warnings of a build without a person in front of it, so they stop it.
   if [ -n "${CI:-}" ]; then options=(-DCMAKE_COMPILE_WARNING_AS_ERROR=ON); fi
-  if [ ! -t 1 ]; then ninja=(-- --quiet); fi
-  say "building in $project/build/release (takes minutes the first time)"
+  # A terminal shows the progress in one line; elsewhere every file would be one.
+  if [ ! -t 2 ]; then ninja=(-- --quiet); fi
+  [ -e "$project/build/release/build.ninja" ] ||
+    say "building in $project/build/release, which takes minutes the first time"
   cmake -S "$project" --preset release "${options[@]}" >/dev/null
-  cmake --build "$project/build/release" --target "$1" "${ninja[@]}"
+  cmake --build "$project/build/release" --target "$1" "${ninja[@]}" >&2
 }

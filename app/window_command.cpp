@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFileInfo>
 
+#include "ui/control/translations.h"
 #include "ui/files/scene_file.h"
 #include "ui/main_window.h"
 
@@ -22,6 +23,7 @@ bool hasDisplay() {
 }
 
 ExitStatus runWindow(const WindowCall& call) {
+  ui::installTranslations(*QCoreApplication::instance());
   const ui::SceneOrError read = ui::readFileOrBuiltIn(call.scene);
   if (!read.scene) return failure(kRefused, call.scene + QStringLiteral(": ") + read.error);
   const QString file = QFileInfo::exists(call.scene) ? call.scene : QString();

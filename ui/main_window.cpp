@@ -43,7 +43,7 @@ namespace {
 constexpr QSize kFirstSize(1600, 900);
 constexpr int kLeastChartHeight = 260;
 constexpr double kChartShare = 0.36;  // of the window's height
-constexpr int kMessageTime = 6000;  // ms
+constexpr int kMessageTime = 6000;    // ms
 
 /// As high as its form if there is room; where there is not, it scrolls rather than squeezes.
 class FormArea : public QScrollArea {
@@ -117,8 +117,10 @@ void MainWindow::buildPanels() {
       addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
   QDockWidget* weights = addPanel(Qt::LeftDockWidgetArea, "weights", tr("Weights"),
                                   scrolling(new WeightsForm(m_editor)));
-  QDockWidget* runs =
-      addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), scrolling(new RunsForm(m_editor)));
+  QScrollArea* runsArea = scrolling(new RunsForm(m_editor));
+  // The methods are what the program is about: never scrolled away with two runs.
+  runsArea->setMinimumHeight(runsArea->sizeHint().height());
+  QDockWidget* runs = addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), runsArea);
   QDockWidget* energy = addPanel(Qt::BottomDockWidgetArea, "energy", tr("Energy"), m_energy);
   tabifyDockWidget(scene, weights);
   // Their tabs are their titles.
@@ -171,6 +173,7 @@ void MainWindow::buildMenus() {
 
 void MainWindow::buildStatusBar() {
   m_painterLabel = new QLabel;
+  m_painterLabel->setContentsMargins(0, 0, 8, 0);
   statusBar()->addPermanentWidget(m_painterLabel);
 }
 
@@ -197,6 +200,7 @@ void MainWindow::connectPlayback() {
   connect(m_controller, &RunController::runStopped, this, &MainWindow::showStopped);
   connect(m_controller, &RunController::canCutChanged, m_commands->action(Command::kCut),
           &QAction::setEnabled);
+  m_commands->action(Command::kCut)->setEnabled(m_controller->canCut());
 }
 
 void MainWindow::connectScene() {
@@ -263,14 +267,15 @@ void MainWindow::showStopped() {
     if (run->status() != core::RunStatus::kRunning) stopped << stopWords(*run);
   }
   m_stopBar->say(stopped.join('\n'));
+  for (const Command command : {Command::kPlay, Command::kStep, Command::kStepFrame}) {
+    m_commands->action(command)->setEnabled(m_controller->canGoOn());
+  }
 }
 
 void MainWindow::showProblems() {
   const auto& problems = m_editor->problems();
-  m_problemBar->say(
-      problems.empty()
-          ? QString()
-          : tr("%1 The scene goes on as it was until that is mended.").arg(problemWords(problems)));
+  m_problemBar->say(problems.empty() ? QString()
+                                     : tr("Not applied: %1").arg(problemWords(problems)));
 }
 
 void MainWindow::showTitle() {

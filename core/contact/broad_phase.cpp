@@ -20,6 +20,7 @@ void BroadPhase::fill() {
   m_heads.assign(static_cast<std::size_t>(m_columns) * m_rows, -1);
   m_entries.clear();
   m_large.clear();
+  m_entered.assign(m_boxes.size(), {0, -1, 0, -1});
   m_seen.assign(m_boxes.size(), 0);
   m_round = 0;
   for (std::size_t i = 0; i < m_boxes.size(); ++i) enter(static_cast<int>(i));
@@ -34,6 +35,8 @@ void BroadPhase::move(int weight, const Box& box) {
 
 void BroadPhase::enter(int weight) {
   const Cells cells = cellsOf(m_boxes[weight]);
+  if (m_entered[weight].hold(cells)) return;
+  m_entered[weight] = cells;
   if (cells.count() > kMostCellsPerBox) {
     m_large.push_back(weight);
     return;

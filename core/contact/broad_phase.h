@@ -39,6 +39,11 @@ class BroadPhase {
  private:
   struct Cells {
     int firstColumn, lastColumn, firstRow, lastRow;
+    /// False for the range no weight is entered in yet.
+    bool hold(const Cells& other) const {
+      return firstColumn <= other.firstColumn && other.lastColumn <= lastColumn &&
+             firstRow <= other.firstRow && other.lastRow <= lastRow;
+    }
     int count() const { return (lastColumn - firstColumn + 1) * (lastRow - firstRow + 1); }
   };
   struct Entry {
@@ -66,6 +71,7 @@ class BroadPhase {
   int m_rows = 1;
   std::vector<int> m_heads;
   std::vector<Entry> m_entries;
+  std::vector<Cells> m_entered;  // of each weight: the cells it was entered in last
   std::vector<int> m_large;
   std::size_t m_entriesWhenFilled = 0;
   std::vector<std::uint32_t> m_seen;

@@ -55,12 +55,14 @@ WeightRecord Engine::startRecord(const Weight& weight, const Body& body) const {
 RunStatus Engine::advance() {
   if (m_status != RunStatus::kRunning) return m_status;
   beginStep();
+  placeAll();
   if (!stepAll()) {
     abandonStep(RunStatus::kDiverged);
     return m_status;
   }
-  scheduleAll();
-  if (!processEvents()) {
+  settle(0, false);
+  if (!m_diverged) scheduleAll();
+  if (m_diverged || !processEvents()) {
     abandonStep(m_diverged ? RunStatus::kDiverged : RunStatus::kEndless);
     return m_status;
   }
@@ -73,24 +75,39 @@ void Engine::beginStep() {
   m_events = std::move(m_now.pending);
   m_now.pending.clear();
   m_eventMoments.assign(m_events.size(), 0);
+  m_quietLosses.clear();
   m_finished.clear();
   m_queue.clear();
   m_diverged = false;
 }
 
-bool Engine::stepAll() {
+void Engine::placeAll() {
   m_moving.resize(m_bodies.size());
+  m_localOf.assign(m_bodies.size(), -1);
   for (std::size_t i = 0; i < m_bodies.size(); ++i) {
     const WeightRecord& record = m_now.weights[i];
-    Moving& moving = m_moving[i];
-    moving = {};
-    moving.piece.end = m_solver.step;
-    moving.piece.mode = record.mode;
-    moving.piece.tied = record.tied;
-    moving.piece.beginState = record.state;
-    m_stepper.fill(m_bodies[i], moving.piece);
-    if (!isFinite(static_cast<int>(i))) return false;
+    m_moving[i] = {};
+    m_moving[i].asleep = record.asleep;
+    m_moving[i].stillFor = record.stillFor;
+    Piece& piece = m_moving[i].piece;
+    // A settled weight gets its piece when the forces in its group are known.
+    piece.end = record.settled && !record.asleep ? 0 : m_solver.step;
+    piece.mode = record.mode;
+    piece.tied = record.tied;
+    piece.settled = record.settled;
+    piece.beginState = record.state;
   }
+}
+
+bool Engine::stepAll() {
+  m_boxes.resize(m_bodies.size());
+  for (int i = 0; i < static_cast<int>(m_bodies.size()); ++i) {
+    Piece& piece = m_moving[i].piece;
+    m_stepper.fill(m_bodies[i], piece);
+    if (!isFinite(i)) return false;
+    m_boxes[i] = boxOf(m_bodies[i], piece, piece.begin, piece.end);
+  }
+  m_broadPhase.rebuild(m_boxes);
   return true;
 }
 
@@ -101,12 +118,8 @@ void Engine::scheduleAll() {
     const double s = std::clamp(*m_scene->cutTime - start, 0.0, m_solver.step);
     m_queue.push({s, -1, -1, Upcoming::Kind::kCut, false, 0, 0});
   }
-  m_boxes.resize(m_bodies.size());
-  for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-    const Piece& piece = m_moving[i].piece;
-    m_boxes[i] = boxOf(m_bodies[i], piece, piece.begin, piece.end);
-  }
-  m_broadPhase.rebuild(m_boxes);
+  for (double s = boundaryAfter(0); s < m_solver.step; s = boundaryAfter(s))
+    m_queue.push({s, -1, -1, Upcoming::Kind::kSettle, false, 0, 0});
   for (int i = 0; i < static_cast<int>(m_bodies.size()); ++i) {
     scheduleOwn(i);
     m_broadPhase.forEachNear(m_boxes[i], [&](int other) {
@@ -125,6 +138,7 @@ void Engine::schedule(int index) {
 void Engine::scheduleOwn(int index) {
   const Body& body = m_bodies[index];
   const Piece& piece = m_moving[index].piece;
+  if (piece.settled) return;  // its contacts are its group's
   if (const auto moment = m_foresight.wall(body, piece))
     push(moment->time, index, -1, moment->wall, moment->pressing);
   if (const auto moment = m_foresight.slack(body, piece))
@@ -147,6 +161,7 @@ void Engine::scheduleMeeting(int a, int b) {
   if (!m_boxes[a].meets(m_boxes[b])) return;
   const Piece& pieceA = m_moving[a].piece;
   const Piece& pieceB = m_moving[b].piece;
+  if (pieceA.settled && pieceB.settled) return;
   if (m_stepper.isStill(pieceA) && m_stepper.isStill(pieceB)) return;
   if (const auto moment = m_foresight.meeting(m_bodies[a], pieceA, m_bodies[b], pieceB))
     push(moment->time, a, b, Upcoming::Kind::kWeight, moment->pressing);
@@ -179,7 +194,8 @@ void Engine::finishStep() {
   for (std::size_t i = 0; i < m_bodies.size(); ++i) {
     const Piece& piece = m_moving[i].piece;
     m_now.losses.friction += slideLoss(static_cast<int>(i), piece, piece.end);
-    m_now.weights[i] = {piece.endState, piece.mode, piece.tied};
+    m_now.weights[i] = {piece.endState, piece.mode,         piece.tied,
+                        piece.settled,  m_moving[i].asleep, m_moving[i].stillFor};
   }
   m_now.evaluations = m_stepper.evaluations();
   ++m_now.stepCount;
@@ -190,6 +206,7 @@ void Engine::abandonStep(RunStatus status) {
   m_stepper.setEvaluations(m_now.evaluations);
   m_moving.clear();
   m_events.clear();
+  m_quietLosses.clear();
   m_status = status;
 }
 
@@ -221,6 +238,7 @@ void Engine::cutNow(int weight) {
       record.mode = Mode::kFlight;
     }
     record.tied = false;
+    record.asleep = false;
   }
   Event event{.time = time(), .kind = EventKind::kCut, .weight = weight};
   if (weight >= 0) {
@@ -250,6 +268,7 @@ void Engine::restore(const EngineState& state) {
   m_finished.clear();
   m_events.clear();
   m_eventMoments.clear();
+  m_quietLosses.clear();
 }
 
 }  // namespace core

@@ -8,6 +8,7 @@
 
 #include "core/contact/broad_phase.h"
 #include "core/contact/impulse.h"
+#include "core/contact/resting.h"
 #include "core/run/engine_state.h"
 #include "core/run/event_queue.h"
 #include "core/run/foresight.h"
@@ -54,6 +55,9 @@ class Engine {
     Piece piece;
     std::uint32_t stamp = 0;  // counts its pieces; foreseen events carry it
     int finished = -1;        // its latest finished piece of this step, or −1
+    int meetings = 0;         // with other weights in this step
+    bool asleep = false;
+    double stillFor = 0;
   };
   struct FinishedPiece {
     Piece piece;
@@ -65,6 +69,7 @@ class Engine {
 
   // One step.
   void beginStep();
+  void placeAll();
   bool stepAll();
   void scheduleAll();
   bool processEvents();
@@ -85,6 +90,7 @@ class Engine {
   void meet(const Upcoming& event);
   void exchange(const Upcoming& event, double s, const Entries& beforeA, const Entries& beforeB,
                 const Eigen::Vector2d& normal);
+  bool joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal);
   void hitWall(const Upcoming& event);
   void hitWallInFlight(int index, double s, const Entries& before, const Upcoming& event);
   void hitWallOnRope(int index, double s, const Entries& before, const Upcoming& event);
@@ -98,7 +104,8 @@ class Engine {
 
   /// Ends the weight's piece at s in state `before` and starts another one from `after`.
   /// The first form leaves it to the caller to foresee what comes.
-  void goOn(int index, double s, const Entries& before, Mode mode, const Entries& after, bool tied);
+  void goOn(int index, double s, const Entries& before, Mode mode, const Entries& after, bool tied,
+            bool settled);
   void goOn(int index, double s, const Entries& before, Mode mode, const Entries& after);
 
   /// Moves a foreseen moment to where `value` of the method's own partial step is zero.
@@ -108,6 +115,27 @@ class Engine {
   std::optional<double> polished(double s, double low, double high, double rate, double tolerance,
                                  const Value& value);
 
+  // Groups in lasting contact (engine_resting.cpp).
+  class Group;
+  struct QuietLoss {
+    double moment;  // from the start of the step [s]
+    Losses losses;
+  };
+  void settle(double s, bool foresee);
+  std::vector<int> wakeTouching();
+  void solveImpacts(Group& group, ContactSolver& solver, double s);
+  void solveSupport(Group& group, ContactSolver& solver, double s, double duration);
+  void carryImpulses(const Group& group);
+  void fallAsleep(const Group& group, double s, double duration);
+  void releaseOrKeep(const Group& group, double s, bool foresee);
+  void spread(double s, const std::vector<int>& seeds, double approach);
+  void moveSpread(const Group& group, double s);
+  bool isSupported(int index) const;
+  Entries withVelocity(int index, Mode mode, const Entries& state,
+                       const Eigen::Vector2d& velocity) const;
+  void loseQuietly(double s, double impacts, double friction);
+  double boundaryAfter(double s) const;
+
   // Weights in their states.
   const Piece& pieceAt(int index, double s) const;
   Eigen::Vector2d rateOf(int index, double s) const;
@@ -115,7 +143,7 @@ class Engine {
   Entries pushed(int index, Mode mode, const Entries& state,
                  const Eigen::Vector2d& velocityChange) const;
   Entries freed(int index, Mode mode, const Entries& state) const;
-  Mode modeAfterPush(Mode mode, const Entries& after) const;
+  Mode modeAfterPush(Mode mode, const Entries& after, bool settled) const;
   bool isFinite(int index) const;
   bool comesToRest(double speedAfter, double inwardAcceleration, double radius) const;
   double slideLoss(int index, const Piece& piece, double s) const;
@@ -139,10 +167,12 @@ class Engine {
   // The latest step.
   std::vector<Moving> m_moving;
   std::vector<FinishedPiece> m_finished;
+  std::vector<int> m_localOf;  // of weights in the group being solved, or −1
   std::vector<Box> m_boxes;
   BroadPhase m_broadPhase;
   EventQueue m_queue;
   std::vector<Event> m_events;
+  std::vector<QuietLoss> m_quietLosses;
   std::vector<double> m_eventMoments;  // of m_events, from the start of the step [s]
   bool m_diverged = false;
 };

@@ -32,6 +32,9 @@ Eigen::Vector2d inwardOf(const WallSide& side) {
 
 /// A bounce that would rise by less than this share of the radius is the last one.
 constexpr double kLastRise = 1e-6;
+/// So is, for weights that do not only bounce elastically, the contact after this many within
+/// 1/60 s or a step: between weights in a heap the series of bounces need not end.
+constexpr int kMostMeetings = 64;
 /// So is one that would be over within this share of the step, whatever the restitution.
 constexpr double kLastDuration = 1e-7;
 
@@ -72,6 +75,8 @@ void Engine::act(const Upcoming& event) {
       return goTaut(event);
     case Upcoming::Kind::kStop:
       return stopSliding(event);
+    case Upcoming::Kind::kSettle:
+      return settle(event.time, true);
     case Upcoming::Kind::kFloor:
     case Upcoming::Kind::kCeiling:
     case Upcoming::Kind::kWest:
@@ -81,7 +86,7 @@ void Engine::act(const Upcoming& event) {
 }
 
 void Engine::goOn(int index, double s, const Entries& before, Mode mode, const Entries& after,
-                  bool tied) {
+                  bool tied, bool settled) {
   Moving& moving = m_moving[index];
   if (s > moving.piece.begin) {
     Piece done = moving.piece;
@@ -92,7 +97,8 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
     m_finished.push_back({done, moving.finished});
     moving.finished = static_cast<int>(m_finished.size()) - 1;
   }
-  moving.piece = {.begin = s, .end = m_solver.step, .mode = mode, .tied = tied};
+  const double end = settled && !moving.asleep ? boundaryAfter(s) : m_solver.step;
+  moving.piece = {.begin = s, .end = end, .mode = mode, .tied = tied, .settled = settled};
   moving.piece.beginState = after;
   m_stepper.fill(m_bodies[index], moving.piece);
   ++moving.stamp;
@@ -100,12 +106,12 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
     m_diverged = true;
     return;
   }
-  m_boxes[index] = boxOf(m_bodies[index], moving.piece, s, m_solver.step);
+  m_boxes[index] = boxOf(m_bodies[index], moving.piece, s, end);
   m_broadPhase.move(index, m_boxes[index]);
 }
 
 void Engine::goOn(int index, double s, const Entries& before, Mode mode, const Entries& after) {
-  goOn(index, s, before, mode, after, m_moving[index].piece.tied);
+  goOn(index, s, before, mode, after, m_moving[index].piece.tied, false);
   if (!m_diverged) schedule(index);
 }
 
@@ -125,7 +131,8 @@ void Engine::cutAllAt(double s) {
     cut.push_back(i);
     const Entries before = m_stepper.partial(m_bodies[i], piece, s);
     const Mode mode = isTethered(piece.mode) ? Mode::kFlight : piece.mode;
-    goOn(i, s, before, mode, freed(i, piece.mode, before), false);
+    m_moving[i].asleep = false;
+    goOn(i, s, before, mode, freed(i, piece.mode, before), false, piece.settled);
     if (m_diverged) return;
   }
   for (const int i : cut) schedule(i);
@@ -340,7 +347,8 @@ Entries Engine::pushed(int index, Mode mode, const Entries& state,
   return after;
 }
 
-Mode Engine::modeAfterPush(Mode mode, const Entries& after) const {
+Mode Engine::modeAfterPush(Mode mode, const Entries& after, bool settled) const {
+  if (settled) return isTethered(mode) ? Mode::kSwing : Mode::kFlight;
   if (mode == Mode::kHeld) return Mode::kSwing;
   if (mode == Mode::kSlide && std::abs(after[3]) > m_tolerance.speed) return Mode::kFlight;
   return mode;
@@ -390,7 +398,9 @@ void Engine::exchange(const Upcoming& event, double s, const Entries& beforeA,
   const Piece pieceA = m_moving[a].piece, pieceB = m_moving[b].piece;
   const CollidingWeight weightA = colliding(a, pieceA.mode, beforeA);
   const CollidingWeight weightB = colliding(b, pieceB.mode, beforeB);
-  const double e = m_scene->restitution;
+  const double approach = (weightA.velocity - weightB.velocity).dot(normal);
+  const bool joins = joinAtRest(event, approach, normal);
+  const double e = joins ? 0 : m_scene->restitution;
   const double impulse = collisionImpulse(weightA, weightB, normal, e);
   const Entries afterA = pushed(a, pieceA.mode, beforeA, weightA.velocityChange(-impulse, normal));
   const Entries afterB = pushed(b, pieceB.mode, beforeB, weightB.velocityChange(impulse, normal));
@@ -398,12 +408,34 @@ void Engine::exchange(const Upcoming& event, double s, const Entries& beforeA,
     log(EventKind::kImpactWeight, s, a, readOut(a, pieceA.mode, pieceA.tied, beforeA),
         readOut(a, pieceA.mode, pieceA.tied, afterA), collisionLoss(weightA, weightB, normal, e),
         b);
-  goOn(a, s, beforeA, modeAfterPush(pieceA.mode, afterA), afterA, pieceA.tied);
+  const bool settlesA = pieceA.settled || joins;
+  const bool settlesB = pieceB.settled || joins;
+  goOn(a, s, beforeA, modeAfterPush(pieceA.mode, afterA, settlesA), afterA, pieceA.tied, settlesA);
   if (m_diverged) return;
-  goOn(b, s, beforeB, modeAfterPush(pieceB.mode, afterB), afterB, pieceB.tied);
+  goOn(b, s, beforeB, modeAfterPush(pieceB.mode, afterB, settlesB), afterB, pieceB.tied, settlesB);
+  if (m_diverged) return;
+  std::vector<int> settled;
+  if (settlesA) settled.push_back(a);
+  if (settlesB) settled.push_back(b);
+  if (!settled.empty()) spread(s, settled, approach);
   if (m_diverged) return;
   schedule(a);
   schedule(b);
+}
+
+bool Engine::joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal) {
+  const int a = event.weight, b = event.other;
+  if (event.pressing || approach <= m_tolerance.speed) return true;
+  if (m_scene->restitution >= 1 && m_scene->room.restitution >= 1) return false;
+  const int meetings = std::max(++m_moving[a].meetings, ++m_moving[b].meetings);
+  const double steps = std::max(1.0, m_solver.step * 60);
+  if (meetings > kMostMeetings * steps) return true;
+  if (isSupported(a) == isSupported(b)) return false;
+  // The free one bounces off the one that lies: gravity brings it back.
+  const double pull = (isSupported(a) ? 1 : -1) * normal.y() * m_scene->gravity;
+  const double rebound = m_scene->restitution * approach;
+  const double radius = m_bodies[isSupported(a) ? b : a].radius;
+  return pull > 0 && rebound * rebound < 2 * pull * kLastRise * radius;
 }
 
 }  // namespace core

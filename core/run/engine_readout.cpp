@@ -5,7 +5,7 @@
 namespace core {
 namespace {
 
-Phase phaseOf(Mode mode, bool tied) {
+Phase phaseOf(Mode mode, bool tied, bool settled) {
   switch (mode) {
     case Mode::kSwing:
     case Mode::kHeld:
@@ -15,6 +15,7 @@ Phase phaseOf(Mode mode, bool tied) {
     case Mode::kFlight:
       break;
   }
+  if (settled) return Phase::kResting;
   return tied ? Phase::kSlack : Phase::kFlying;
 }
 
@@ -43,7 +44,7 @@ Energies balanced(Energies energies, const Losses& losses, double startEnergy) {
 WeightState Engine::readOut(int index, Mode mode, bool tied, const Entries& state) const {
   const Body& body = m_bodies[index];
   WeightState result;
-  result.phase = phaseOf(mode, tied);
+  result.phase = phaseOf(mode, tied, false);
   result.position = positionOf(body, mode, state);
   result.velocity = velocityOf(body, mode, state);
   if (isTethered(mode)) {
@@ -56,14 +57,18 @@ WeightState Engine::readOut(int index, Mode mode, bool tied, const Entries& stat
 
 WeightState Engine::weight(int index) const {
   const WeightRecord& record = m_now.weights[index];
-  return readOut(index, record.mode, record.tied, record.state);
+  WeightState result = readOut(index, record.mode, record.tied, record.state);
+  result.phase = phaseOf(record.mode, record.tied, record.settled);
+  return result;
 }
 
 WeightState Engine::weightAt(int index, double time) const {
   if (m_moving.empty() || time >= this->time()) return weight(index);
   const double s = time - static_cast<double>(m_before.stepCount) * m_solver.step;
   const Piece& piece = pieceAt(index, s);
-  return readOut(index, piece.mode, piece.tied, piece.at(s));
+  WeightState result = readOut(index, piece.mode, piece.tied, piece.at(s));
+  result.phase = phaseOf(piece.mode, piece.tied, piece.settled);
+  return result;
 }
 
 const Piece& Engine::pieceAt(int index, double s) const {
@@ -98,6 +103,11 @@ Energies Engine::energiesAt(double time) const {
   }
   for (std::size_t i = 0; i < m_events.size() && m_eventMoments[i] <= s; ++i)
     addLoss(losses, m_events[i]);
+  for (const QuietLoss& loss : m_quietLosses) {
+    if (loss.moment > s) break;
+    losses.impacts += loss.losses.impacts;
+    losses.friction += loss.losses.friction;
+  }
   return balanced(energies, losses, m_startEnergy);
 }
 

@@ -12,7 +12,10 @@ namespace core {
 struct WeightRecord {
   Entries state = Entries::Zero();
   Mode mode = Mode::kFlight;
-  bool tied = false;  ///< to a rope or rod, taut or slack
+  bool tied = false;     ///< to a rope or rod, taut or slack
+  bool settled = false;  ///< one of a group in lasting contact
+  bool asleep = false;   ///< settled, and nothing in its group moves
+  double stillFor = 0;   ///< how long it has hardly moved [s]
 };
 
 /// Energy that left the weights other than through the air [J].
@@ -22,6 +25,14 @@ struct Losses {
   double friction = 0;
 };
 
+/// Impulses a lasting contact needed the last time, where the next search for them begins.
+struct CarriedContact {
+  int a;        ///< weight
+  int b;        ///< other weight, or a surface below 0
+  double push;  ///< [N s]
+  double drag;  ///< [N s]
+};
+
 /// Everything that decides how a run goes on, between two steps.
 struct EngineState {
   std::int64_t stepCount = 0;
@@ -29,7 +40,8 @@ struct EngineState {
   Losses losses;
   bool cutTimePassed = false;
   std::vector<WeightRecord> weights;
-  std::vector<Event> pending;  ///< cuts by hand, to be listed with the coming step
+  std::vector<CarriedContact> contacts;  ///< in order of (a, b)
+  std::vector<Event> pending;            ///< cuts by hand, to be listed with the coming step
 };
 
 }  // namespace core

@@ -21,11 +21,12 @@ struct Upcoming {
     kApex,  ///< the speed passes (nearly) zero in flight
     kSlack,
     kTaut,
-    kStop,  ///< a sliding weight stops
+    kStop,    ///< a sliding weight stops
+    kSettle,  ///< forces in groups at rest are found anew
   };
 
   double time;  ///< from the start of the step [s]
-  int weight;   ///< −1 for a cut
+  int weight;   ///< −1 for a cut and kSettle
   int other;    ///< second weight of kWeight, else −1
   Kind kind;
   bool pressing;             ///< see Contact

@@ -40,6 +40,7 @@ struct Piece {
   double end = 0;    ///< [s]
   Mode mode = Mode::kFlight;
   bool tied = false;      ///< to a rope or rod, taut or slack
+  bool settled = false;   ///< one of a group in lasting contact: moves evenly, see engine_resting
   bool straight = false;  ///< every entry changes evenly; else Hermite's cubic
   Entries beginState = Entries::Zero();
   Entries endState = Entries::Zero();

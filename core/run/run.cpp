@@ -22,6 +22,7 @@ std::int64_t RunState::stepCount() const {
 
 std::size_t RunState::bytes() const {
   return sizeof(EngineState) + m_content->weights.capacity() * sizeof(WeightRecord) +
+         m_content->contacts.capacity() * sizeof(CarriedContact) +
          m_content->pending.capacity() * sizeof(Event);
 }
 

@@ -32,6 +32,7 @@ Stepper::Stepper(const Method& method, double gravity, double friction)
       m_friction(friction * gravity) {}
 
 bool Stepper::isStill(const Piece& piece) {
+  if (piece.settled) return (piece.beginState.segment<2>(2) == 0).all();
   return core::isStill(piece.mode, piece.beginState);
 }
 
@@ -52,14 +53,26 @@ Entries Stepper::slope(const Body& body, Mode mode, const Entries& state) {
 }
 
 void Stepper::fill(const Body& body, Piece& piece) {
+  if (piece.settled) return fillSettled(body, piece);
   piece.straight = m_method->path == PathShape::kStraight;
   piece.beginSlope = slope(body, piece.mode, piece.beginState);
   piece.endState = step(body, piece, piece.end - piece.begin);
   piece.endSlope = piece.straight ? piece.beginSlope : slope(body, piece.mode, piece.endState);
 }
 
+void Stepper::fillSettled(const Body& body, Piece& piece) {
+  const Eigen::Vector2d velocity = velocityOf(body, piece.mode, piece.beginState);
+  const double speed = velocity.norm();
+  piece.straight = true;
+  piece.beginSlope << piece.beginState[2], piece.beginState[3], 0, 0,
+      body.mass * body.drag * speed * speed * speed;
+  piece.endState = piece.beginState + (piece.end - piece.begin) * piece.beginSlope;
+  piece.endSlope = piece.beginSlope;
+}
+
 Entries Stepper::partial(const Body& body, const Piece& piece, double s) {
   if (s <= piece.begin) return piece.beginState;
+  if (piece.settled) return piece.at(s);
   return step(body, piece, s - piece.begin);
 }
 

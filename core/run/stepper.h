@@ -21,7 +21,7 @@ class Stepper {
   Entries slope(const Body& body, Mode mode, const Entries& state);
 
   /// Fills in the end of a piece whose begin, end, mode and beginState are set: one step of
-  /// the method from its begin to its end.
+  /// the method from its begin to its end. A settled weight keeps its velocity.
   void fill(const Body& body, Piece& piece);
 
   /// The state after a step of the method from the piece's begin to s, which may lie
@@ -37,6 +37,7 @@ class Stepper {
   void setEvaluations(std::int64_t count) { m_evaluations = count; }
 
  private:
+  void fillSettled(const Body& body, Piece& piece);
   Entries step(const Body& body, const Piece& piece, double duration);
 
   const Method* m_method;

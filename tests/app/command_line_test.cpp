@@ -78,6 +78,7 @@ class CommandLineTest : public QObject {
   void trajectoryHasTheColumnsPromised();
   void energyHasTheColumnsPromised();
   void eventsHaveTheColumnsPromised();
+  void listsNoEventBeyondTheEnd();
   void emptiesTheRopesColumnsOnceCut();
   void rowsStandAtMultiplesOfTheSample_data();
   void rowsStandAtMultiplesOfTheSample();
@@ -246,6 +247,12 @@ void CommandLineTest::eventsHaveTheColumnsPromised() {
   QVERIFY(std::abs(impact[4].toDouble() - 2) < 1e-12);
   QVERIFY(std::abs(impact[5].toDouble() - 0.5) < 1e-12);
   QVERIFY(std::abs(impact[6].toDouble() - 75) < 1e-9);  // ½ · 2 kg · (10² − 5²) m²/s²
+}
+
+void CommandLineTest::listsNoEventBeyondTheEnd() {
+  // The weight hits the floor at 1 s, inside the step that reaches the end.
+  QCOMPARE(tableIn(rowsOf({m_thrown, "--step", "0.3", "--until", "0.95", "--events", "-"})).rows,
+           QList<QByteArrayList>());
 }
 
 void CommandLineTest::emptiesTheRopesColumnsOnceCut() {

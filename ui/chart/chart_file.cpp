@@ -14,6 +14,7 @@
 #include <QPdfWriter>
 #include <QSaveFile>
 #include <QSvgGenerator>
+#include <QXYSeries>
 
 #include "ui/chart/chart_look.h"
 
@@ -24,13 +25,27 @@ namespace {
 constexpr double kMillimetersPerInch = 25.4;
 constexpr int kPngDotsPerInch = 2 * kPaperDotsPerInch;
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("ChartFile", text);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ui::ChartFile)
+};
 
 /// Of the chart in its scene [px].
 QSizeF paperSize(QSizeF millimeters) {
   return millimeters * kPaperDotsPerInch / kMillimetersPerInch;
+}
+
+/// Qt paints solid curves piece by piece, which shows at bends under a magnifying glass and
+/// makes vector files many times larger; curves of dashes it paints whole. So: one dash.
+void paintCurvesWhole(QChart& chart) {
+  constexpr double kLongerThanAnyCurve = 1e5;
+  for (QAbstractSeries* series : chart.series()) {
+    auto* curve = qobject_cast<QXYSeries*>(series);
+    if (curve == nullptr || curve->pen().style() != Qt::SolidLine) continue;
+    QPen pen = curve->pen();
+    pen.setDashPattern({kLongerThanAnyCurve, 1});
+    pen.setJoinStyle(Qt::RoundJoin);
+    curve->setPen(pen);
+  }
 }
 
 void paint(QChart& chart, QPaintDevice& device, const QRectF& target) {
@@ -85,7 +100,7 @@ QString writeWhole(const QString& file, const QByteArray& bytes) {
   QSaveFile target(file);
   const bool written =
       target.open(QIODevice::WriteOnly) && target.write(bytes) == bytes.size() && target.commit();
-  return written ? QString() : tr("Cannot write %1: %2").arg(file, target.errorString());
+  return written ? QString() : Words::tr("Cannot write %1: %2").arg(file, target.errorString());
 }
 
 }  // namespace
@@ -97,10 +112,11 @@ QString writeChart(QChart& chart, const QString& file, const QString& title, QSi
                        : ending == "pdf" ? pdf
                                          : nullptr;
   if (encoded == nullptr) {
-    return tr("Cannot write %1: a chart's file ends in .png, .svg or .pdf").arg(file);
+    return Words::tr("Cannot write %1: a chart's file ends in .png, .svg or .pdf").arg(file);
   }
   chart.resize(paperSize(size));
   chart.layout()->activate();
+  paintCurvesWhole(chart);
   return writeWhole(file, encoded(chart, title, size));
 }
 

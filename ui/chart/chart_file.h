@@ -11,6 +11,7 @@ namespace ui {
 /// twice the pixels the chart was laid out with. Never leaves a half-written file.
 ///
 /// @param chart  in a scene of its own, with ChartLook::forPaper(); is given that size
+///               and pens to match
 /// @param title  for the file's properties
 /// @param size   in mm on paper
 /// @return       empty, or what went wrong in words

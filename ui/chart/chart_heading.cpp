@@ -17,11 +17,12 @@ constexpr double kMarkOutline = 2;
 
 // In multiples of the font's size.
 constexpr double kTitleSize = 1.2;
-constexpr double kRowHeight = 1.45;
+constexpr double kRowHeight = 1.35;
 constexpr double kTextGap = 0.2;
 constexpr double kMarkSize = 0.75;
 constexpr double kLineLength = 1.8;
 constexpr double kSmallGap = 0.4;
+constexpr double kFiguresGap = 0.8;
 constexpr double kLargeGap = 1;
 
 }  // namespace
@@ -81,7 +82,8 @@ void ChartHeading::placeRuns() {
   if (m_content.runs.empty()) return;
   const double width = widthInOneRow(m_content.runs);
   const bool inOneRow = width <= m_bounds.width();
-  if (m_content.legend.empty() || m_rowEnd + width > m_bounds.width()) beginRow();
+  const double legendWidth = widthInOneRow(m_content.legend) + kLargeGap * em();
+  if (m_content.legend.empty() || legendWidth + width > m_bounds.width()) beginRow();
 
   double widestLabel = 0;
   for (const HeadingEntry& run : m_content.runs) {
@@ -121,7 +123,7 @@ double ChartHeading::widthInOneRow(const std::vector<HeadingEntry>& entries) con
 
 /// With the gap that parts it from figures.
 double ChartHeading::labelWidth(const HeadingEntry& entry) const {
-  const double gap = entry.figures.isEmpty() ? 0 : kSmallGap * em();
+  const double gap = entry.figures.isEmpty() ? 0 : kFiguresGap * em();
   return symbolWidth(entry) + QFontMetricsF(m_look.font).horizontalAdvance(entry.text) + gap;
 }
 

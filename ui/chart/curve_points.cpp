@@ -48,10 +48,8 @@ QList<QPointF> cutToScale(const std::vector<CurvePoint>& curve, double lowest, d
   return cut;
 }
 
-std::size_t mostPointsPerCurve(std::size_t curves) {
-  constexpr std::size_t kMostForOne = 2000;
-  constexpr std::size_t kMostForAll = 14000;
-  return std::min(kMostForOne, kMostForAll / std::max<std::size_t>(curves, 1));
+std::size_t mostPointsPerCurve(std::size_t curves, std::size_t mostForAll) {
+  return std::min(kMostPointsOfACurve, mostForAll / std::max<std::size_t>(curves, 1));
 }
 
 }  // namespace ui

@@ -19,8 +19,12 @@ namespace ui {
 QList<QPointF> cutToScale(const std::vector<core::CurvePoint>& curve, double lowest,
                           double highest);
 
-/// Most points for each of several curves that are painted together, so that the whole
-/// chart can be painted 30 times a second beside the scene.
-std::size_t mostPointsPerCurve(std::size_t curves);
+/// No curve needs more, on any screen or paper.
+inline constexpr std::size_t kMostPointsOfACurve = 2000;
+
+/// Most points for each of several curves that are painted together.
+///
+/// @param mostForAll  what all of them may have together; bounds the time to paint them
+std::size_t mostPointsPerCurve(std::size_t curves, std::size_t mostForAll);
 
 }  // namespace ui

@@ -18,6 +18,8 @@ namespace {
 // A frame's time more or less, so that each second frame at 60 Hz draws.
 constexpr int kShortestPause = 25;  // [ms]
 constexpr double kLeastTime = 2;    // [s]
+// So that an update takes well under half of a 30th of a second, the scene the rest.
+constexpr std::size_t kMostPoints = 10000;
 constexpr QSize kLeastSize(360, 260);
 
 /// Tells whether a ledger was added to, cut or begun anew since it was drawn.
@@ -71,6 +73,7 @@ EnergyChart::Content::Content(EnergyChart* view)
       m_plot(new EnergyPlot(view->chart())),
       m_theme(Theme::of(view->palette())) {
   m_plot->setLeastTime(kLeastTime);
+  m_plot->setMostPoints(kMostPoints);
   m_catchUp.setSingleShot(true);
   connect(&m_catchUp, &QTimer::timeout, this, &Content::refresh);
   view->installEventFilter(this);
@@ -99,6 +102,7 @@ void EnergyChart::Content::refresh() {
 
 bool EnergyChart::Content::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::FontChange) applyLook();
+  if (event->type() == QEvent::LanguageChange) draw();
   if (event->type() == QEvent::PaletteChange) setTheme(Theme::of(m_view->palette()));
   if (event->type() == QEvent::Show && hasChanged()) draw();
   return QObject::eventFilter(watched, event);
@@ -129,7 +133,7 @@ void EnergyChart::Content::applyLook() {
   remember();
 }
 
-EnergyChart::EnergyChart(QWidget* parent) : QChartView(new QChart, parent), m_content(nullptr) {
+EnergyChart::EnergyChart(QWidget* parent) : QChartView(new QChart, parent) {
   setRenderHint(QPainter::Antialiasing);
   setFrameShape(QFrame::NoFrame);
   setMinimumSize(kLeastSize);

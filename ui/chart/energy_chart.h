@@ -31,7 +31,7 @@ class EnergyChart : public QChartView {
 
  private:
   class Content;
-  Content* m_content;  // child object
+  Content* m_content = nullptr;  // child object
 };
 
 }  // namespace ui

@@ -102,10 +102,6 @@ double highestWithoutHeight(const Spans& spans) {
 
 }  // namespace
 
-bool isFinite(const core::EnergySample& sample) {
-  return std::isfinite(sample.energies.accounted());
-}
-
 EnergyExtent extentOf(const std::vector<ChartedRun>& runs) {
   const Spans spans = spansOf(runs);
   EnergyExtent extent;

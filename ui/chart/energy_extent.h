@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,8 @@ inline constexpr double kMostGain = 10;
 EnergyExtent extentOf(const std::vector<ChartedRun>& runs);
 
 /// Whether every energy in it is a number.
-bool isFinite(const core::EnergySample& sample);
+inline bool isFinite(const core::EnergySample& sample) {
+  return std::isfinite(sample.energies.accounted());
+}
 
 }  // namespace ui

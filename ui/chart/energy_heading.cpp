@@ -16,9 +16,9 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("EnergyChart", text);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ui::EnergyChart)
+};
 
 /// What the method got wrong up to the latest sample, in J and in percent of the start.
 QString driftText(const core::Ledger& ledger) {
@@ -29,8 +29,8 @@ QString driftText(const core::Ledger& ledger) {
   constexpr double kMostPercent = 1e6;  // more says nothing that the figure in J does not
   const double drift = latest->energies.numericalDrift;
   const double percent = 100 * drift / samples.front().energies.accounted();
-  if (!(std::abs(percent) <= kMostPercent)) return tr("drift %1 J").arg(signedFigure(drift));
-  return tr("drift %1 J (%2 %)").arg(signedFigure(drift), signedFigure(percent));
+  if (!(std::abs(percent) <= kMostPercent)) return Words::tr("drift %1 J").arg(signedFigure(drift));
+  return Words::tr("drift %1 J (%2 %)").arg(signedFigure(drift), signedFigure(percent));
 }
 
 std::vector<HeadingEntry> legend(const EnergyExtent& extent, const EnergyScales& scales,
@@ -45,7 +45,7 @@ std::vector<HeadingEntry> legend(const EnergyExtent& extent, const EnergyScales&
     entry.text = quantity.name();
     if (extent.offset > 0 && quantity.holdsPotential) {
       const QString offset = QLocale().toString(extent.offset / scales.energyUnit.size, 'g', 12);
-      entry.text = tr("%1 − %2 %3").arg(entry.text, offset, scales.energyUnit.symbol);
+      entry.text = Words::tr("%1 − %2 %3").arg(entry.text, offset, scales.energyUnit.symbol);
     }
     entries.push_back(entry);
   }
@@ -62,7 +62,7 @@ std::vector<HeadingEntry> runEntries(const std::vector<ChartedRun>& runs, const 
     entry.line = runPen(theme.text, kLineWidth, i);
     entry.text = runs[i].name;
     entry.figures = driftText(*runs[i].ledger);
-    entry.widestFigures = tr("drift %1 J (%1 %)").arg(widestFigure());
+    entry.widestFigures = Words::tr("drift %1 J (%1 %)").arg(widestFigure());
     entries.push_back(entry);
   }
   return entries;
@@ -75,11 +75,11 @@ QString warning(const std::vector<ChartedRun>& runs, const EnergyExtent& extent,
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const double highest = extent.highestOfRun[i];
     if (highest > *extent.ceiling) {
-      reached.append(tr("%1 reaches %2 J").arg(runs[i].name, figure(highest)));
+      reached.append(Words::tr("%1 reaches %2 J").arg(runs[i].name, figure(highest)));
     }
   }
   const QString end = QLocale().toString(scales.energy.highest, 'f', scales.energy.decimals());
-  return tr("Scale ends at %1 %2: %3.")
+  return Words::tr("Scale ends at %1 %2: %3.")
       .arg(end, scales.energyUnit.symbol, reached.join(QStringLiteral("; ")));
 }
 

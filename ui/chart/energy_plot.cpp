@@ -20,14 +20,17 @@ namespace {
 /// Thinned, in the units of the axes.
 std::vector<core::CurvePoint> curveOf(const core::Ledger& ledger, const EnergyQuantity& quantity,
                                       double offset, const EnergyScales& scales, std::size_t most) {
-  std::vector<core::CurvePoint> curve;
-  curve.reserve(ledger.samples().size());
+  std::vector<core::CurvePoint> all;
+  all.reserve(ledger.samples().size());
   for (const core::EnergySample& sample : ledger.samples()) {
-    if (!isFinite(sample)) continue;
-    curve.push_back({sample.time / scales.timeUnit.size,
-                     (quantity.of(sample.energies) - offset) / scales.energyUnit.size});
+    if (isFinite(sample)) all.push_back({sample.time, quantity.of(sample.energies)});
   }
-  return core::thinned(curve, most);
+  std::vector<core::CurvePoint> curve = core::thinned(all, most);
+  for (core::CurvePoint& point : curve) {
+    point.x /= scales.timeUnit.size;
+    point.y = (point.y - offset) / scales.energyUnit.size;
+  }
+  return curve;
 }
 
 }  // namespace
@@ -48,6 +51,10 @@ void EnergyPlot::setTitle(const QString& title, const QString& note) {
 
 void EnergyPlot::setLeastTime(double time) {
   m_leastTime = time;
+}
+
+void EnergyPlot::setMostPoints(std::size_t most) {
+  m_mostPoints = most;
 }
 
 void EnergyPlot::setRuns(std::vector<ChartedRun> runs) {
@@ -78,7 +85,7 @@ void EnergyPlot::update() {
 void EnergyPlot::showCurves(const EnergyExtent& extent, const EnergyScales& scales) {
   const auto quantities = energyQuantities();
   const auto shown = static_cast<std::size_t>(std::ranges::count(extent.shown, true));
-  const std::size_t room = mostPointsPerCurve(shown * m_runs.size());
+  const std::size_t room = mostPointsPerCurve(shown * m_runs.size(), m_mostPoints);
   // Each point above the scale may be replaced by two, where the curve leaves and returns.
   const std::size_t most = extent.ceiling ? room * 2 / 3 : room;
   for (std::size_t i = 0; i < m_curves.size(); ++i) {

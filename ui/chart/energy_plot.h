@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <QObject>
@@ -32,6 +33,8 @@ class EnergyPlot : public QObject {
   /// The time axis reaches at least to there [s]; keeps the first moments of a growing run
   /// from changing the axis all the time.
   void setLeastTime(double time);
+  /// All curves together have at most so many points; without, each has its 2000.
+  void setMostPoints(std::size_t most);
 
   /// The ledgers must outlive the plot or the next call.
   void setRuns(std::vector<ChartedRun> runs);
@@ -51,6 +54,7 @@ class EnergyPlot : public QObject {
   QString m_title;
   QString m_note;
   double m_leastTime = 0;
+  std::size_t m_mostPoints = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace ui

@@ -15,9 +15,9 @@ constexpr double kHeadroom = 1.04;
 // From here on time is in plain seconds: nobody reads kiloseconds.
 constexpr double kShortTime = 0.1;  // [s]
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("EnergyChart", text);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ui::EnergyChart)
+};
 
 NiceScale inUnit(const ScaledUnit& unit, double lowest, double highest, int intervals) {
   return niceScale(lowest / unit.size, highest / unit.size, intervals);
@@ -30,9 +30,9 @@ EnergyScales energyScales(const EnergyExtent& extent, double leastTime, int time
   const double end = std::max(extent.lastTime, leastTime);
   const double top = extent.ceiling.value_or(extent.highest * kHeadroom);
   EnergyScales scales;
-  scales.timeUnit = scaledUnit(std::min(end, kShortTime), tr("s"));
+  scales.timeUnit = scaledUnit(std::min(end, kShortTime), Words::tr("s"));
   scales.time = inUnit(scales.timeUnit, 0, end, timeIntervals);
-  scales.energyUnit = scaledUnit(top, tr("J"));
+  scales.energyUnit = scaledUnit(top, Words::tr("J"));
   scales.energy = inUnit(scales.energyUnit, extent.lowest, top, energyIntervals);
   return scales;
 }

@@ -25,9 +25,14 @@ double pixelLength(const QList<QPointF>& curve, QSizeF unit) {
 
 QPen runPen(const QColor& color, double width, std::size_t run) {
   QPen pen(color, width);
-  pen.setCapStyle(Qt::FlatCap);
   const QList<double>& pattern = kPatterns[run % kPatterns.size()];
-  if (!pattern.isEmpty()) pen.setDashPattern(pattern);
+  if (pattern.isEmpty()) {
+    // Solid curves are painted piece by piece, and flat ends would leave gaps at bends.
+    pen.setCapStyle(Qt::SquareCap);
+  } else {
+    pen.setCapStyle(Qt::FlatCap);
+    pen.setDashPattern(pattern);
+  }
   return pen;
 }
 

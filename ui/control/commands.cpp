@@ -95,7 +95,7 @@ std::vector<QAction*> Commands::all() const {
   return actions;
 }
 
-void Commands::showPlaying(bool playing) {
+void Commands::showPlaying(bool playing) const {
   QAction* play = action(Command::kPlay);
   play->setText(playing ? tr("&Pause") : tr("&Play"));
   play->setIconText(playing ? tr("Pause") : tr("Play"));

@@ -45,7 +45,7 @@ class Commands : public QObject {
   std::vector<QAction*> all() const;
 
   /// Lets the play action offer what it does now.
-  void showPlaying(bool playing);
+  void showPlaying(bool playing) const;
 
  private:
   std::map<Command, QAction*> m_actions;

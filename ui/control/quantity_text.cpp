@@ -24,11 +24,11 @@ double inShownDigits(double value) {
   return QString::number(value, 'g', kShownDigits).toDouble();
 }
 
-/// A space before the unit, except before the degree sign.
+/// A space that does not break before the unit, but none before the degree sign.
 QString withUnit(const QString& number, std::string_view unit) {
   const QString words = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
   if (words.isEmpty()) return number;
-  return words == "°" ? number + words : number + ' ' + words;
+  return words == "°" ? number + words : number + QChar(QChar::Nbsp) + words;
 }
 
 }  // namespace

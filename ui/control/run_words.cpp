@@ -37,12 +37,10 @@ QString stopWords(const core::Run& run) {
     case core::RunStatus::kRunning:
       return {};
     case core::RunStatus::kDiverged:
-      return Words::tr(
-                 "%1 diverged at %2 s: its numbers stopped being finite. Its last finite "
-                 "state is shown; try a smaller step.")
+      return Words::tr("%1, diverged at %2 s. Its last finite state is shown; try a smaller step.")
           .arg(runWords(run.solver()), when);
     case core::RunStatus::kEndless:
-      return Words::tr("%1 stopped at %2 s: one step held more impacts than a step may.")
+      return Words::tr("%1, stopped at %2 s: one step held more impacts than a step may.")
           .arg(runWords(run.solver()), when);
   }
   return {};

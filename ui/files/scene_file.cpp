@@ -31,7 +31,7 @@ SceneOrError parseScene(const QByteArray& text) {
     return {SceneReader(std::string_view(text.constData(), text.size())).read(), {}};
   } catch (const JsonError& error) {
     return refused(Texts::tr("not JSON: %1").arg(error.line));
-  } catch (const SceneRefused& refusal) {
+  } catch (const ValueRefused& refusal) {
     return refused(refusal.line);
   }
 }

@@ -1,6 +1,5 @@
 #include "ui/files/scene_reader.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -13,59 +12,6 @@
 
 namespace ui {
 
-namespace {
-
-/// Names a value's place while it is read: "weights", then "weights[3]" inside.
-class PlaceScope {
- public:
-  PlaceScope(std::string& place, std::string_view key) : PlaceScope(place) {
-    if (!m_place.empty()) m_place += '.';
-    m_place += key;
-  }
-  PlaceScope(std::string& place, int index) : PlaceScope(place) {
-    m_place += '[' + std::to_string(index) + ']';
-  }
-  ~PlaceScope() { m_place.resize(m_outerLength); }
-  Q_DISABLE_COPY_MOVE(PlaceScope)
-
- private:
-  explicit PlaceScope(std::string& place) : m_place(place), m_outerLength(place.size()) {}
-
-  std::string& m_place;
-  std::size_t m_outerLength;
-};
-
-/// Text from a file, fit to stand in a message of one line.
-QString quoted(std::string_view text) {
-  constexpr qsizetype kLongest = 40;
-  QString shown = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-  for (QChar& character : shown) {
-    if (!character.isPrint() && !character.isSurrogate()) character = QChar::ReplacementCharacter;
-  }
-  if (shown.size() > kLongest) shown = shown.left(kLongest) + QChar(0x2026);
-  return '"' + shown + '"';
-}
-
-QString describe(JsonKind kind) {
-  switch (kind) {
-    case JsonKind::kNull:
-      return SceneReader::tr("null");
-    case JsonKind::kBoolean:
-      return SceneReader::tr("true or false");
-    case JsonKind::kNumber:
-      return SceneReader::tr("a number");
-    case JsonKind::kString:
-      return SceneReader::tr("a text");
-    case JsonKind::kArray:
-      return SceneReader::tr("a list");
-    case JsonKind::kObject:
-      return SceneReader::tr("an object");
-  }
-  return {};
-}
-
-}  // namespace
-
 core::Scene SceneReader::read() {
   checkHeader();
   core::Scene scene = readScene();
@@ -74,18 +20,8 @@ core::Scene SceneReader::read() {
   return scene;
 }
 
-void SceneReader::refuse(const QString& reason) const {
-  const QString place = m_place.empty() ? tr("scene") : QString::fromStdString(m_place);
-  throw SceneRefused{place + QStringLiteral(": ") + reason};
-}
-
 void SceneReader::refuse(const core::Problem& problem) {
-  throw SceneRefused{QString::fromStdString(core::messageFor(problem))};
-}
-
-void SceneReader::expect(JsonKind kind) {
-  const JsonKind found = m_json.kind();
-  if (found != kind) refuse(tr("must be %1, got %2").arg(describe(kind), describe(found)));
+  throw ValueRefused{QString::fromStdString(core::messageFor(problem))};
 }
 
 // Goes through the whole text first: a newer file may hold anything, so its version is
@@ -249,25 +185,6 @@ Eigen::Vector2d SceneReader::readVector() {
   return {entries[0], entries[1]};
 }
 
-std::string_view SceneReader::readDigits() {
-  expect(JsonKind::kNumber);
-  const std::string_view digits = m_json.readNumber();
-  if (!numberFromText(digits)) {
-    refuse(tr("%1 is too large or too small to reckon with").arg(quoted(digits)));
-  }
-  return digits;
-}
-
-double SceneReader::readNumber() {
-  return *numberFromText(readDigits());
-}
-
-std::optional<double> SceneReader::readNumberOrNull() {
-  if (m_json.kind() != JsonKind::kNull) return readNumber();
-  m_json.readNull();
-  return std::nullopt;
-}
-
 double SceneReader::readAngle(const core::Range& allowed) {
   const std::string_view digits = readDigits();
   const double degrees = *numberFromText(digits);
@@ -275,49 +192,6 @@ double SceneReader::readAngle(const core::Range& allowed) {
     refuse({m_place, core::Problem::Kind::kOutOfRange, degrees, allowed, -1, {}});
   }
   return radiansFromDegreeText(digits);
-}
-
-bool SceneReader::readBoolean() {
-  expect(JsonKind::kBoolean);
-  return m_json.readBoolean();
-}
-
-std::string SceneReader::readString() {
-  expect(JsonKind::kString);
-  return m_json.readString();
-}
-
-void SceneReader::readObject(std::initializer_list<Member> members) {
-  expect(JsonKind::kObject);
-  std::uint32_t seen = 0;
-  m_json.enter();
-  while (const std::optional<std::string> key = m_json.nextKey()) {
-    const auto member = std::ranges::find(members, *key, &Member::key);
-    if (member == members.end()) refuse(tr("unknown key %1").arg(quoted(*key)));
-    const PlaceScope place(m_place, *key);
-    const std::uint32_t bit = 1U << (member - members.begin());
-    if (seen & bit) refuse(tr("stands twice"));
-    seen |= bit;
-    member->read();
-  }
-}
-
-void SceneReader::readList(int fewest, int most, const std::function<void()>& readEntry) {
-  expect(JsonKind::kArray);
-  int count = 0;
-  m_json.enter();
-  for (; m_json.nextElement(); ++count) {
-    if (count < most) {
-      const PlaceScope place(m_place, count);
-      readEntry();
-    } else {
-      m_json.skipValue();  // to say how many there are
-    }
-  }
-  if (count >= fewest && count <= most) return;
-  refuse(fewest == most
-             ? tr("must have %1 entries, got %2").arg(most).arg(count)
-             : tr("must have %1 to %2 entries, got %3").arg(fewest).arg(most).arg(count));
 }
 
 }  // namespace ui

@@ -14,7 +14,7 @@ namespace {
 
 using core::numberText;
 
-std::string quoted(std::string_view text) {
+std::string jsonString(std::string_view text) {
   std::string json = "\"";
   for (const char character : text) {
     if (character == '"' || character == '\\') {
@@ -58,14 +58,15 @@ std::string weightText(const core::Weight& weight) {
   std::string text = "{\"mass\": " + numberText(weight.mass) +
                      ", \"radius\": " + numberText(weight.radius) +
                      ", \"dragCoefficient\": " + numberText(weight.dragCoefficient);
-  if (weight.color) text += ", \"color\": " + quoted(colorText(*weight.color));
+  if (weight.color) text += ", \"color\": " + jsonString(colorText(*weight.color));
   if (weight.rope) return text + ",\n     \"rope\": " + ropeText(*weight.rope) + '}';
   return text + ",\n     \"position\": " + vectorText(weight.position) +
          ", \"velocity\": " + vectorText(weight.velocity) + '}';
 }
 
 std::string solverText(const core::Solver& solver) {
-  return "{\"method\": " + quoted(solver.method) + ", \"step\": " + numberText(solver.step) + '}';
+  return "{\"method\": " + jsonString(solver.method) + ", \"step\": " + numberText(solver.step) +
+         '}';
 }
 
 template <class Entries, class TextOf>
@@ -82,12 +83,12 @@ std::string listText(const Entries& entries, TextOf textOf) {
 std::string writtenScene(const core::Scene& scene) {
   std::string text = "{\n";
   const auto add = [&text](std::string_view key, const std::string& value) {
-    text += "  " + quoted(key) + ": " + value + ",\n";
+    text += "  " + jsonString(key) + ": " + value + ",\n";
   };
-  add("format", quoted(kSceneFormat));
+  add("format", jsonString(kSceneFormat));
   add("version", std::to_string(kSceneVersion));
-  add("name", quoted(scene.name));
-  add("description", quoted(scene.description));
+  add("name", jsonString(scene.name));
+  add("description", jsonString(scene.description));
   add("gravity", numberText(scene.gravity));
   add("airDensity", numberText(scene.airDensity));
   add("room", roomText(scene.room));

@@ -11,9 +11,9 @@ namespace ui {
 
 Form::Form(SceneEditor* editor, QWidget* parent)
     : QWidget(parent), m_editor(editor), m_rows(new QFormLayout(this)) {
-  m_rows->setContentsMargins(12, 8, 12, 12);
+  m_rows->setContentsMargins(12, 8, 12, 8);
   m_rows->setHorizontalSpacing(12);
-  m_rows->setVerticalSpacing(8);
+  m_rows->setVerticalSpacing(6);
   m_rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   connect(editor, &SceneEditor::sceneReplaced, this, &Form::discardTyped);
   connect(editor, &SceneEditor::draftChanged, this, [this] { showDraft(); });
@@ -41,7 +41,7 @@ void Form::bind(QuantityField* field, Reader read, Writer write) {
   m_bindings.push_back({field, std::move(read)});
   connect(field, &QuantityField::edited, this, [this, field, write = std::move(write)](double v) {
     const bool canRun = m_editor->change([&](core::Scene& draft) { write(draft, v); });
-    if (!canRun) field->mark(problemWords(m_editor->problems()));
+    if (!canRun) field->mark(problemWords(m_editor->problems().front()));
   });
   connect(field, &QuantityField::cancelled, m_editor, &SceneEditor::giveUpDraft);
 }

@@ -89,7 +89,9 @@ QString problemWords(const core::Problem& problem) {
 QString problemWords(const std::vector<core::Problem>& problems) {
   const QString first = problemWords(problems.front());
   const int more = static_cast<int>(problems.size()) - 1;
-  return more == 0 ? first : first + ' ' + Words::tr("(and %n more)", nullptr, more);
+  return more == 0
+             ? first
+             : first + QChar(QChar::Space) + Words::tr("(and %n more problem(s))", nullptr, more);
 }
 
 }  // namespace ui

@@ -27,6 +27,11 @@ QuantityField::QuantityField(const QuantityStyle& style, QWidget* parent)
   });
 }
 
+QuantityField::~QuantityField() {
+  // A spin box that has the focus commits once more when its window goes.
+  m_spinBox->disconnect(this);
+}
+
 void QuantityField::setValue(double value) {
   if (m_holdsBadText && m_value == value) return;
   m_value = value;

@@ -21,6 +21,7 @@ class QuantityField : public QWidget {
 
  public:
   explicit QuantityField(const QuantityStyle& style, QWidget* parent = nullptr);
+  ~QuantityField() override;
 
   /// Shows a value, unless it is the one already shown with something bad typed over it.
   /// @param value  in SI units, radians for angles

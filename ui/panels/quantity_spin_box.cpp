@@ -5,9 +5,9 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
-#include <QWheelEvent>
 
 #include "ui/control/quantity_text.h"
+#include "ui/panels/wheel_guard.h"
 #include "ui/style/theme.h"
 
 namespace ui {
@@ -21,6 +21,7 @@ QuantitySpinBox::QuantitySpinBox(const QuantityStyle& style, QWidget* parent)
     : QAbstractSpinBox(parent), m_style(style) {
   setFocusPolicy(Qt::StrongFocus);
   setKeyboardTracking(false);
+  ignoreWheelWithoutFocus(this);
   lineEdit()->setAlignment(Qt::AlignRight);
   setEmptyWords(tr("several"));
   connect(lineEdit(), &QLineEdit::textEdited, this, &QuantitySpinBox::typed);
@@ -114,15 +115,6 @@ void QuantitySpinBox::keyPressEvent(QKeyEvent* event) {
     return;
   }
   QAbstractSpinBox::keyPressEvent(event);
-}
-
-void QuantitySpinBox::wheelEvent(QWheelEvent* event) {
-  // A form that is scrolled past must not change its values.
-  if (hasFocus()) {
-    QAbstractSpinBox::wheelEvent(event);
-  } else {
-    event->ignore();
-  }
 }
 
 void QuantitySpinBox::paintEvent(QPaintEvent* event) {

@@ -56,7 +56,6 @@ class QuantitySpinBox : public QAbstractSpinBox {
   StepEnabled stepEnabled() const override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:

@@ -15,6 +15,7 @@
 #include "ui/control/run_words.h"
 #include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/panels/wheel_guard.h"
 #include "ui/style/theme.h"
 
 namespace ui {
@@ -24,8 +25,9 @@ constexpr int kOfferedRuns = 2;
 constexpr int kMarkSize = 16;  // px
 
 /// How a run's weights look in the scene: filled for the first, outlines for the others.
-QPixmap markOf(int run, const Theme& theme) {
-  QPixmap mark(kMarkSize, kMarkSize);
+QPixmap markOf(int run, const Theme& theme, double devicePixelRatio) {
+  QPixmap mark(QSize(kMarkSize, kMarkSize) * devicePixelRatio);
+  mark.setDevicePixelRatio(devicePixelRatio);
   mark.fill(Qt::transparent);
   QPainter painter(&mark);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -56,6 +58,7 @@ void RunsForm::addRun(int index) {
     row.method->addItem(methodWords(method), QString::fromUtf8(method.id.data()));
   }
   row.method->setFocusPolicy(Qt::TabFocus);
+  ignoreWheelWithoutFocus(row.method);
   row.method->setAccessibleName(tr("Method of run %1").arg(index + 1));
   row.step->spinBox()->setAccessibleName(tr("Step of run %1").arg(index + 1));
   rows()->addRow(nameOf(row, index), row.method);
@@ -78,12 +81,12 @@ QWidget* RunsForm::nameOf(const Row& row, int index) {
   const QString words = tr("Run %1").arg(index + 1);
   row.shown->setFocusPolicy(Qt::TabFocus);
   row.shown->setAccessibleName(words);
-  row.shown->setVisible(index > 0);
   auto* name = new QWidget;
   auto* layout = new QHBoxLayout(name);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
-  if (index > 0) layout->addWidget(row.shown);
+  layout->addWidget(row.shown);
+  row.shown->setHidden(index == 0);
   layout->addWidget(row.mark);
   layout->addWidget(new QLabel(words));
   return name;
@@ -131,7 +134,7 @@ void RunsForm::changeEvent(QEvent* event) {
 void RunsForm::paintMarks() {
   const Theme theme = Theme::of(palette());
   for (int i = 0; i < static_cast<int>(m_runs.size()); ++i) {
-    m_runs[i].mark->setPixmap(markOf(i, theme));
+    m_runs[i].mark->setPixmap(markOf(i, theme, devicePixelRatioF()));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/scene/scene_limits.h"
 #include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/panels/wheel_guard.h"
 
 namespace ui {
 namespace {
@@ -41,6 +42,8 @@ void WeightsForm::choose(int number) {
 void WeightsForm::addChooser() {
   m_chooser->setSpecialValueText(tr("All"));
   m_chooser->setAlignment(Qt::AlignRight);
+  m_chooser->setFocusPolicy(Qt::StrongFocus);
+  ignoreWheelWithoutFocus(m_chooser);
   m_chooser->setAccessibleName(tr("Weight"));
   m_chooser->setToolTip(tr("Which weight the fields below belong to, counted from the left"));
   rows()->addRow(tr("Weight"), m_chooser);
@@ -71,7 +74,7 @@ void WeightsForm::addBodyRows() {
 
 /// @param part  where a weight keeps the quantity; null where it has none
 QuantityField* WeightsForm::addWeightQuantity(const QString& label, const QuantityStyle& style,
-                                              std::function<double*(core::Weight&)> part) {
+                                              const std::function<double*(core::Weight&)>& part) {
   const auto read = [this, part](const core::Scene& scene) -> std::optional<double> {
     std::optional<double> common;
     for (core::Weight weight : chosenOf(scene, m_chooser->value())) {

@@ -24,7 +24,7 @@ class WeightsForm : public Form {
   void addRopeRows();
   void addBodyRows();
   QuantityField* addWeightQuantity(const QString& label, const QuantityStyle& style,
-                                   std::function<double*(core::Weight&)> part);
+                                   const std::function<double*(core::Weight&)>& part);
 
   QSpinBox* m_chooser;
   QuantityField* m_ropeLength;

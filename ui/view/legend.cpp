@@ -62,8 +62,10 @@ ScaleBar scaleBar(const Ruler& ruler, const Camera& camera, const SceneLook& loo
   ScaleBar bar;
   bar.right = camera.snapped(camera.viewport().width() - kEdge - kMarkerRadius);
   bar.left = camera.snapped(bar.right - ruler.spacing * camera.scale());
-  // In a unit of its own: far from the origin the ruler counts kilometres even in close-ups.
-  bar.words = rulerFor(ruler.spacing, ruler.spacing).textAt(ruler.spacing);
+  // Far from the origin the ruler counts kilometres even in close-ups.
+  const bool isReadable = ruler.spacing >= 0.01 * ruler.unit;
+  const Ruler own = isReadable ? ruler : rulerFor(ruler.spacing, ruler.spacing);
+  bar.words = own.textAt(ruler.spacing);
   bar.wordsLeft = bar.left - widthOf(bar.words, look.font) - kEdge;
   return bar;
 }
@@ -86,7 +88,8 @@ void addScaleBar(const ScaleBar& bar, const Camera& camera, const SceneLook& loo
 double legendHeight(const std::vector<ShownRun>& runs, const SceneLook& look, double width) {
   const std::vector<QPointF> corners = entryCorners(runs, look, width);
   const double top = corners.empty() ? look.headerHeight + kEdge : corners.back().y();
-  return top - look.headerHeight + lineHeight(look.font) + kEdge;
+  // Below it half a line is free for the number at the ceiling.
+  return top - look.headerHeight + 1.6 * lineHeight(look.font);
 }
 
 void drawLegend(const std::vector<ShownRun>& runs, const Ruler& ruler, bool enlarged,

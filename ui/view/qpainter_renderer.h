@@ -18,8 +18,7 @@ class Camera;
 void paintDrawing(const Drawing& drawing, const Camera& camera, QPainter& painter);
 
 /// Paints a drawing into an image; many discs many times faster than with a QPainter.
-/// @pre the image has the camera's viewport × devicePixelRatio pixels, and the format RGB32 or
-///      ARGB32_Premultiplied
+/// @pre the image has the camera's viewport × devicePixelRatio pixels, and the format RGB32
 void paintDrawing(const Drawing& drawing, const Camera& camera, QImage& image);
 
 /// Paints only the words, over what another painter drew.

@@ -56,16 +56,18 @@ void addGrid(const core::Room& room, double spacing, const Camera& camera, QRgb 
 /// Puts numbers down where nothing else is.
 class NumberPlacer {
  public:
-  NumberPlacer(const RoomFrame& frame, const Camera& camera, const SceneLook& look,
+  NumberPlacer(const RoomFrame& frame, double top, const Camera& camera, const SceneLook& look,
                Drawing& drawing)
       : m_camera(camera), m_look(look), m_drawing(drawing), m_inside(frame.inside) {
+    m_allowed = viewportOf(camera);
+    m_allowed.setTop(top);
     for (const QRectF& wall : {frame.floor, frame.ceiling, frame.west, frame.east})
       m_taken.push_back(wall);
   }
 
   void place(const QString& words, QRectF box) {
     const auto overlaps = [&box](const QRectF& other) { return box.intersects(other); };
-    if (!viewportOf(m_camera).contains(box)) return;
+    if (!m_allowed.contains(box)) return;
     if (std::any_of(m_taken.begin(), m_taken.end(), overlaps)) return;
     m_taken.push_back(box.adjusted(-kGap, -kGap / 4, kGap, kGap / 4));
     const QRgb plate = box.intersects(m_inside) ? withOpacity(m_look.theme.room, 0.85) : 0;
@@ -78,6 +80,7 @@ class NumberPlacer {
   const SceneLook& m_look;
   Drawing& m_drawing;
   QRectF m_inside;
+  QRectF m_allowed;
   std::vector<QRectF> m_taken;
 };
 
@@ -131,21 +134,21 @@ void drawRoom(const core::Room& room, const Ruler& ruler, const Camera& camera,
     add(wall, look.theme.wall);
 }
 
-void drawNumbers(const core::Room& room, const Ruler& ruler, const Camera& camera,
+void drawNumbers(const core::Room& room, const Ruler& ruler, double top, const Camera& camera,
                  const SceneLook& look, Drawing& drawing) {
   const RoomFrame frame = roomFrame(room, camera);
   const QRectF seen = seenPart(room, camera);
   const double height = lineHeight(look.font);
-  NumberPlacer placer(frame, camera, look, drawing);
+  NumberPlacer placer(frame, top, camera, look, drawing);
 
-  const double top =
+  const double below =
       std::min(frame.floor.bottom() + kGap / 2, camera.viewport().height() - height - kGap / 2);
   const auto [west, east] = multiplesWithin(seen.left(), seen.right(), ruler.spacing);
   for (double i = west; i <= east; ++i) {
     const QString words = ruler.textAt(i * ruler.spacing);
     const double width = widthOf(words, look.font);
     const double x = camera.toPixels({i * ruler.spacing, 0}).x();
-    placer.place(words, QRectF(x - width / 2, top, width, height));
+    placer.place(words, QRectF(x - width / 2, below, width, height));
   }
   const auto [low, high] = multiplesWithin(seen.top(), seen.bottom(), ruler.spacing);
   for (double i = low; i <= high; ++i) {

@@ -30,7 +30,8 @@ void drawRoom(const core::Room& room, const Ruler& ruler, const Camera& camera,
 
 /// Adds the numbers along floor and west wall; along the edges of the picture where floor or
 /// wall are not seen. None overlaps another one or a wall.
-void drawNumbers(const core::Room& room, const Ruler& ruler, const Camera& camera,
+/// @param top  above this line are none [px]
+void drawNumbers(const core::Room& room, const Ruler& ruler, double top, const Camera& camera,
                  const SceneLook& look, Drawing& drawing);
 
 /// The rectangle in metres that covers these pixels.

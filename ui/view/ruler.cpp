@@ -34,7 +34,9 @@ QString Ruler::textAt(double metres) const {
   const double needed = std::ceil(-std::log10(spacing / unit) - 1e-9);
   const int decimals = steps == 0 ? 0 : std::max(static_cast<int>(needed), 0);
   // Adding zero turns −0 into 0.
-  const QString digits = QLocale().toString(steps * spacing / unit + 0.0, 'f', decimals);
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  const QString digits = locale.toString(steps * spacing / unit + 0.0, 'f', decimals);
   return digits + QStringLiteral("\u00a0") + unitName;
 }
 

@@ -1,5 +1,6 @@
 #include "ui/view/scene_drawing.h"
 
+#include "ui/view/camera.h"
 #include "ui/view/legend.h"
 #include "ui/view/room_drawing.h"
 #include "ui/view/scene_look.h"
@@ -8,6 +9,16 @@
 
 namespace ui {
 
+namespace {
+
+/// Where the words of the legend end [px].
+double numbersTop(const ShownScene& shown, const Camera& camera, const SceneLook& look) {
+  const double legend = legendHeight(shown.runs, look, camera.viewport().width());
+  return look.headerHeight + legend - lineHeight(look.font) / 2;
+}
+
+}  // namespace
+
 Drawing sceneDrawing(const ShownScene& shown, const Trails& trails, const Camera& camera,
                      const SceneLook& look) {
   Drawing drawing;
@@ -15,7 +26,8 @@ Drawing sceneDrawing(const ShownScene& shown, const Trails& trails, const Camera
   const core::Room& room = shown.scene.room;
   const Ruler ruler = roomRuler(room, camera, look);
   drawRoom(room, ruler, camera, look, drawing);
-  drawNumbers(room, ruler, camera, look, drawing);
+  const double top = numbersTop(shown, camera, look);
+  drawNumbers(room, ruler, top, camera, look, drawing);
   drawTrails(shown, trails, look, drawing);
   drawRopes(shown, look, drawing);
   drawWeights(shown, camera, look, drawing);

@@ -44,7 +44,8 @@ double widthOf(const QString& words, const QFont& font) {
 }
 
 QRgb withOpacity(const QColor& color, double opacity) {
-  return qRgba(color.red(), color.green(), color.blue(), static_cast<int>(255 * opacity + 0.5));
+  return qRgba(color.red(), color.green(), color.blue(),
+               static_cast<int>(std::lround(255 * opacity)));
 }
 
 QRgb mixed(QRgb first, QRgb second, double share) {
@@ -56,7 +57,7 @@ QRgb mixed(QRgb first, QRgb second, double share) {
 }
 
 QRgb visibleInRoom(QRgb color, const Theme& theme) {
-  constexpr double kLeastContrast = 1.8;
+  constexpr double kLeastContrast = 2.5;
   const QRgb outline = theme.outline.rgb();
   QRgb visible = color;
   for (double share = 0.1; share < 1; share += 0.1) {

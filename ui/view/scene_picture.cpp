@@ -27,9 +27,9 @@ constexpr double kPixelsPerInch = 96;
 constexpr double kPngScale = 2;
 constexpr double kEdge = 10;  // [px]
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("ui::ScenePicture", text);
-}
+struct ScenePicture {
+  Q_DECLARE_TR_FUNCTIONS(ui::ScenePicture)
+};
 
 struct Picture {
   QString title;
@@ -39,7 +39,7 @@ struct Picture {
 };
 
 void addTitle(const ShownScene& shown, const QFont& font, const SceneLook& look, Picture& picture) {
-  const QString time = tr("t = %1 s").arg(QLocale().toString(shown.time, 'f', 3));
+  const QString time = ScenePicture::tr("t = %1 s").arg(QLocale().toString(shown.time, 'f', 3));
   const double right = picture.size.width() - kEdge - widthOf(time, font);
   const auto add = [&](double left, const QString& words) {
     picture.drawing.texts.push_back({picture.camera.toMetres({left, kEdge}), QPointF(0, 0), words,
@@ -49,7 +49,8 @@ void addTitle(const ShownScene& shown, const QFont& font, const SceneLook& look,
   add(right, time);
 }
 
-Picture pictureOf(const ShownScene& shown, QSize size, double devicePixelRatio) {
+Picture pictureOf(const ShownScene& shown, const Trails& trails, QSize size,
+                  double devicePixelRatio) {
   SceneLook look{Theme::light(), readableFont(QGuiApplication::font())};
   look.theme.background = Qt::white;
   QFont titleFont = look.font;
@@ -58,12 +59,13 @@ Picture pictureOf(const ShownScene& shown, QSize size, double devicePixelRatio) 
   look.headerHeight = lineHeight(titleFont) + kEdge;
 
   Picture picture;
-  picture.title = shown.scene.name.empty() ? tr("Scene") : QString::fromStdString(shown.scene.name);
+  picture.title = shown.scene.name.empty() ? ScenePicture::tr("Scene")
+                                           : QString::fromStdString(shown.scene.name);
   picture.size = size;
   picture.camera.setViewport(size, devicePixelRatio);
   picture.camera.fit(QSizeF(shown.scene.room.width, shown.scene.room.height),
                      sceneMargins(shown, look, size.width()));
-  picture.drawing = sceneDrawing(shown, Trails(), picture.camera, look);
+  picture.drawing = sceneDrawing(shown, trails, picture.camera, look);
   addTitle(shown, titleFont, look, picture);
   return picture;
 }
@@ -117,20 +119,24 @@ QString save(const QString& file, const QByteArray& bytes) {
   QSaveFile saved(file);
   const bool written =
       saved.open(QIODevice::WriteOnly) && saved.write(bytes) == bytes.size() && saved.commit();
-  return written ? QString() : tr("%1: cannot be written: %2").arg(file, saved.errorString());
+  return written ? QString()
+                 : ScenePicture::tr("%1: cannot be written: %2").arg(file, saved.errorString());
 }
 
 }  // namespace
 
 QString writeScenePicture(const QString& file, const std::vector<const core::Run*>& runs,
-                          double time, QSize size) {
+                          double time, QSize size, const Trails* trails) {
   ShownScene shown = shownScene(runs);
   readWeights(runs, time, shown);
+  const auto picture = [&](double devicePixelRatio) {
+    return pictureOf(shown, trails ? *trails : Trails(), size, devicePixelRatio);
+  };
   const QString ending = QFileInfo(file).suffix().toLower();
-  if (ending == QLatin1String("png")) return save(file, pngOf(pictureOf(shown, size, kPngScale)));
-  if (ending == QLatin1String("svg")) return save(file, svgOf(pictureOf(shown, size, 1)));
-  if (ending == QLatin1String("pdf")) return save(file, pdfOf(pictureOf(shown, size, 1)));
-  return tr("%1: a picture's name must end in .png, .svg or .pdf").arg(file);
+  if (ending == QLatin1String("png")) return save(file, pngOf(picture(kPngScale)));
+  if (ending == QLatin1String("svg")) return save(file, svgOf(picture(1)));
+  if (ending == QLatin1String("pdf")) return save(file, pdfOf(picture(1)));
+  return ScenePicture::tr("%1: a picture's name must end in .png, .svg or .pdf").arg(file);
 }
 
 }  // namespace ui

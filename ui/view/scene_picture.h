@@ -11,14 +11,18 @@ class Run;
 
 namespace ui {
 
+class Trails;
+
 /// Draws the runs at one moment into a file, with no display needed: a light picture for
 /// paper, in PNG, SVG or PDF by the file's ending. Never leaves a half-written file.
 ///
-/// @param runs  of one scene, the first filled, the others as outlines
-/// @param time  [s], inside the latest step of every run
-/// @param size  of the picture in px at 96 dpi; PNG is written at twice that
-/// @return      empty, or what went wrong in words
+/// @param runs    of one scene, the first filled, the others as outlines
+/// @param time    [s], inside the latest step of every run
+/// @param size    of the picture in px at 96 dpi; PNG is written at twice that
+/// @param trails  of these runs, drawn too; null: none
+/// @return        empty, or what went wrong in words
 QString writeScenePicture(const QString& file, const std::vector<const core::Run*>& runs,
-                          double time, QSize size = QSize(1200, 900));
+                          double time, QSize size = QSize(1200, 900),
+                          const Trails* trails = nullptr);
 
 }  // namespace ui

@@ -21,7 +21,6 @@ namespace {
 
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kDegreesPerNotch = 15 * 8;  // as QWheelEvent counts
-constexpr double kTrailFallTimes = 2.5;      // how far back trails reach, in fall times
 
 QSizeF roomSize(const ShownScene& shown) {
   return {shown.scene.room.width, shown.scene.room.height};
@@ -41,7 +40,7 @@ class SceneView::Content {
     m_runs = std::move(runs);
     m_shown = shownScene(m_runs);
     m_trails.reset(static_cast<int>(m_runs.size()), static_cast<int>(m_shown.colors.size()),
-                   kTrailFallTimes * fallTime(m_shown.scene));
+                   trailSpan(m_shown.scene));
     m_trails.record(m_shown.time, m_shown.runs);
     if (m_isFitted || roomSize(m_shown) != before) fit();
     repaint();
@@ -64,6 +63,8 @@ class SceneView::Content {
     m_look.trails = shown;
     repaint();
   }
+
+  const Trails* trails() const { return m_look.trails ? &m_trails : nullptr; }
 
   void setChoice(PainterChoice choice) {
     if (choice == m_choice) return;
@@ -202,6 +203,9 @@ void SceneView::clearTrails() {
 }
 void SceneView::setTrailsShown(bool shown) {
   m_content->setTrailsShown(shown);
+}
+const Trails* SceneView::trails() const {
+  return m_content->trails();
 }
 void SceneView::setPainterChoice(PainterChoice choice) {
   m_content->setChoice(choice);

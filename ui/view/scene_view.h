@@ -14,6 +14,8 @@ class Run;
 
 namespace ui {
 
+class Trails;
+
 /// Which painter draws the scene.
 enum class PainterChoice {
   kAutomatic,  ///< OpenGL 3.3 where it is real hardware, else QPainter
@@ -43,6 +45,8 @@ class SceneView : public QWidget {
   /// Forgets the trails, for jumps in time.
   void clearTrails();
   void setTrailsShown(bool shown);
+  /// The trails as they are shown, for a picture; null while they are not.
+  const Trails* trails() const;
 
   void setPainterChoice(PainterChoice choice);
   /// What draws now, in words for the status bar: "OpenGL 4.5 (llvmpipe)" or "QPainter
@@ -51,7 +55,7 @@ class SceneView : public QWidget {
 
  public slots:
   void fitRoom();
-  /// Enlarges or shrinks the picture around its middle, as one notch of the wheel does twice.
+  /// Enlarges or shrinks the picture around its middle, as two notches of the wheel do.
   void zoomIn();
   void zoomOut();
 

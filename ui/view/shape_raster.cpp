@@ -22,9 +22,10 @@ QRgb scaled(QRgb color, unsigned share) {
   return redBlue | alphaGreen;
 }
 
+/// @return  opaque, as the image is
 QRgb over(QRgb source, QRgb below) {
   const unsigned rest = 255 - qAlpha(source);
-  return source + scaled(below, rest + (rest >> 7));
+  return (source + scaled(below, rest + (rest >> 7))) | 0xff000000;
 }
 
 QRgb colorOf(const Shape::Color& color) {
@@ -202,8 +203,7 @@ class Stroke {
 }  // namespace
 
 void paintShape(const Shape& shape, QImage& image) {
-  assert(image.format() == QImage::Format_RGB32 ||
-         image.format() == QImage::Format_ARGB32_Premultiplied);
+  assert(image.format() == QImage::Format_RGB32);
   const Canvas canvas(image);
   const bool isPoint = shape.from == shape.to;
   switch (static_cast<ShapeEnds>(static_cast<int>(shape.ends))) {

@@ -10,7 +10,7 @@ struct Shape;
 ///
 /// A small disc or a piece of a trail costs well under a microsecond: QPainter's own
 /// antialiased paths take ten times as long, too long for the trails of a class of weights.
-/// @pre the image's format is RGB32 or ARGB32_Premultiplied
+/// @pre the image's format is RGB32
 void paintShape(const Shape& shape, QImage& image);
 
 }  // namespace ui

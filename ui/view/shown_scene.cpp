@@ -18,7 +18,8 @@ QRgb rgbOf(core::Color color) {
 QString stepText(double step) {
   const double perSecond = 1 / step;
   const double whole = std::round(perSecond);
-  const QLocale locale;
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
   // A fraction reads better, where it is one: to the digits a person would have typed.
   if (whole > 1 && std::abs(perSecond - whole) < 1e-4 * whole)
     return QStringLiteral("1/%1").arg(locale.toString(whole, 'f', 0));
@@ -56,11 +57,6 @@ void readWeights(const std::vector<const core::Run*>& runs, double time, ShownSc
     for (std::size_t i = 0; i < weights.size(); ++i)
       weights[i] = runs[r]->weightAt(static_cast<int>(i), time);
   }
-}
-
-double fallTime(const core::Scene& scene) {
-  if (scene.gravity <= 0) return 1;
-  return std::sqrt(2 * scene.room.height / scene.gravity);
 }
 
 }  // namespace ui

@@ -33,10 +33,6 @@ ShownScene shownScene(const std::vector<const core::Run*>& runs);
 /// @param time  [s], inside the latest step of every run
 void readWeights(const std::vector<const core::Run*>& runs, double time, ShownScene& shown);
 
-/// How long things take to fall in this scene: from ceiling to floor from rest [s]. Without
-/// gravity a second.
-double fallTime(const core::Scene& scene);
-
 /// Method and step as a person would say it: "Euler, 1/60 s".
 QString solverText(std::string_view methodName, double step);
 

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace ui {
+
+double trailSpan(const core::Scene& scene) {
+  if (scene.gravity <= 0) return 2;
+  return 2.5 * std::sqrt(2 * scene.room.height / scene.gravity);
+}
 
 void Trails::reset(int runCount, int weightCount, double span) {
   assert(span > 0);

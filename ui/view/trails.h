@@ -8,6 +8,10 @@
 
 namespace ui {
 
+/// How far back trails of this scene reach, so that they show about as much of the way in a
+/// thimble as in a valley: some times what a fall from ceiling to floor takes [s].
+double trailSpan(const core::Scene& scene);
+
 /// The ways that the weights of all runs came in the last moments.
 ///
 /// Bounded: all trails together keep at most kMostPoints points, so many weights have short

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "ui/view/camera.h"
 #include "ui/view/drawing.h"
@@ -15,6 +16,7 @@ QRectF paintedArea(const Camera& camera) {
 
 // Liang and Barsky: the line enters the area at `from` and leaves it at `to`, shares of it.
 std::optional<QLineF> lineWithin(const QLineF& line, const QRectF& area) {
+  if (!std::isfinite(line.x1() + line.y1() + line.x2() + line.y2())) return {};
   const std::array<double, 4> direction{-line.dx(), line.dx(), -line.dy(), line.dy()};
   const std::array<double, 4> room{line.x1() - area.left(), area.right() - line.x1(),
                                    line.y1() - area.top(), area.bottom() - line.y1()};
@@ -31,8 +33,7 @@ std::optional<QLineF> lineWithin(const QLineF& line, const QRectF& area) {
     else
       to = std::min(to, share);
   }
-  // Written so that coordinates that are not numbers are not seen either.
-  if (!(from <= to)) return {};
+  if (from > to) return {};
   return QLineF(line.pointAt(from), line.pointAt(to));
 }
 

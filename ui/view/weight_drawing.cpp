@@ -12,7 +12,6 @@ namespace ui {
 
 namespace {
 
-constexpr double kPartedAt = 3;     // the eye sees two positions apart from here on [px]
 constexpr double kRingWidth = 2.2;  // of the outlines [px]
 constexpr std::size_t kMany = 100;  // with more weights than these, strokes are thinner
 
@@ -58,6 +57,16 @@ Disc filledDisc(const ShownScene& shown, std::size_t index, double leastRadius,
           theme.dark ? 1.25 : 1.0,
           fill,
           mixed(fill, theme.outline.rgb(), theme.dark ? 0.6 : 0.5)};
+}
+
+/// Joins a weight to an outline that stands clear of its center; the outline stays empty.
+void addJoint(const Eigen::Vector2d& weight, const Eigen::Vector2d& outline, double radius,
+              const QColor& color, Layer& layer) {
+  const Eigen::Vector2d way = outline - weight;
+  const double length = way.norm();
+  if (length > radius)
+    layer.lines.push_back(
+        {weight, outline - radius / length * way, 1.25, withOpacity(color, 0.75)});
 }
 
 }  // namespace
@@ -113,13 +122,11 @@ void drawWeights(const ShownScene& shown, const Camera& camera, const SceneLook&
     layer.discs.push_back(filledDisc(shown, i, leastRadius, look.theme));
   for (std::size_t r = 1; r < shown.runs.size(); ++r) {
     const QColor& color = look.theme.runs[r % look.theme.runs.size()];
-    const std::vector<core::WeightState>& weights = shown.runs[r].weights;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      const Eigen::Vector2d& place = weights[i].position;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const Eigen::Vector2d& place = shown.runs[r].weights[i].position;
       const double radius = std::max(shown.scene.weights[i].radius, leastRadius);
       layer.discs.push_back({place, radius, kRingWidth, kRingWidth, 0, color.rgb()});
-      if ((place - first[i].position).norm() * camera.scale() > kPartedAt)
-        layer.lines.push_back({first[i].position, place, 1.25, withOpacity(color, 0.75)});
+      addJoint(first[i].position, place, radius + kRingWidth / camera.scale(), color, layer);
     }
   }
 }

@@ -11,7 +11,7 @@ using ui::HeadingEntry;
 
 namespace {
 
-constexpr int kRow = 29;  // [px] for type of 20 px
+constexpr int kRow = 27;  // [px] for type of 20 px
 const QColor kMark(0, 0, 255);
 
 HeadingEntry entry(const QString& text, const QString& figures = QString()) {
@@ -69,6 +69,7 @@ class ChartHeadingTest : public QObject {
  private slots:
   void takesAsManyRowsAsItsWidthNeeds_data();
   void takesAsManyRowsAsItsWidthNeeds();
+  void keepsRunsApartFromALegendOfSeveralRows();
   void takesNoRoomWhenEmpty();
   void keepsItsPlacesWhenFiguresChange();
   void putsTitleNoteAndWarningInRowsOfTheirOwn();
@@ -94,6 +95,16 @@ void ChartHeadingTest::takesAsManyRowsAsItsWidthNeeds() {
 
   QCOMPARE(heading.layOut(width), static_cast<double>(rows * kRow));
   QTEST(rowsWithMarks(painted(heading)), "rowsWithRuns");
+}
+
+void ChartHeadingTest::keepsRunsApartFromALegendOfSeveralRows() {
+  HeadingContent content = twoRuns();
+  content.runs.pop_back();
+  ChartHeading heading(nullptr);
+  heading.setLook(look());
+  heading.setContent(content);
+  // The last word of the legend alone in its row would leave room for the run.
+  QCOMPARE(heading.layOut(360), 3.0 * kRow);
 }
 
 void ChartHeadingTest::takesNoRoomWhenEmpty() {

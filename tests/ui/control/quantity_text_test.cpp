@@ -90,9 +90,9 @@ void QuantityTextTest::writesPartsAsFractions() {
 }
 
 void QuantityTextTest::namesRangesWithTheirUnit() {
-  QCOMPARE(ui::rangeText(core::kGravityRange), QString("from 0 to 1000 m/s²"));
+  QCOMPARE(ui::rangeText(core::kGravityRange), QString("from 0 to 1000\u00a0m/s²"));
   QCOMPARE(ui::rangeText(core::kRopeAngleRange), QString("from -180 to 180°"));
-  QCOMPARE(ui::rangeText(core::kCutTimeRange), QString("0 s or more"));
+  QCOMPARE(ui::rangeText(core::kCutTimeRange), QString("0\u00a0s or more"));
 }
 
 QTEST_MAIN(QuantityTextTest)

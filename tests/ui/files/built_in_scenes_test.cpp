@@ -35,7 +35,8 @@ void BuiltInScenesTest::opensByNameOrAsAFile() {
 
   QCOMPARE(ui::readFileOrBuiltIn(file).scene->name, scene.name);
   QCOMPARE(ui::readFileOrBuiltIn("two-weights").scene->weights.size(), std::size_t{2});
-  QCOMPARE(ui::readFileOrBuiltIn("no-such-scene").error, QString("no file or built-in scene of that name"));
+  QCOMPARE(ui::readFileOrBuiltIn("no-such-scene").error,
+           QString("no file or built-in scene of that name"));
 }
 
 void BuiltInScenesTest::demonstrationShowsTwoMethodsOnSevenWeights() {

@@ -1,12 +1,14 @@
 #include <cmath>
 #include <numbers>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLocale>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
+#include <QWheelEvent>
 
 #include "core/scene/arrangement.h"
 #include "ui/control/scene_editor.h"
@@ -63,6 +65,7 @@ class FormsTest : public QObject {
   void fieldsWithoutAWeightCannotBeEdited();
   void methodAndStepOfARunChange();
   void theSecondRunGoesAndComesBackAsItWas();
+  void theWheelPassesOverValuesWithoutChangingThem();
 };
 
 void FormsTest::aFieldChangesTheScene_data() {
@@ -230,6 +233,24 @@ void FormsTest::theSecondRunGoesAndComesBackAsItWas() {
   QCOMPARE(editor.scene()->solvers.size(), std::size_t{2});
   QCOMPARE(editor.scene()->solvers[1].step, 1.0 / 240);
   QCOMPARE(editor.scene()->solvers[1].method, std::string("euler"));
+}
+
+void FormsTest::theWheelPassesOverValuesWithoutChangingThem() {
+  ui::SceneEditor editor(threeWeights());
+  ui::RunsForm runs(&editor);
+  ui::WeightsForm weights(&editor);
+  QSignalSpy changed(&editor, &ui::SceneEditor::draftChanged);
+  QWidget* const passed[] = {runs.findChild<QComboBox*>(),
+                             fieldNamed(runs, "Step of run 1")->spinBox(),
+                             weights.findChild<QSpinBox*>()};
+  for (QWidget* widget : passed) {
+    QWheelEvent wheel({5, 5}, widget->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &wheel);
+    QVERIFY(!wheel.isAccepted());
+  }
+  QCOMPARE(changed.count(), 0);
+  QCOMPARE(weights.findChild<QSpinBox*>()->value(), 0);
 }
 
 QTEST_MAIN(FormsTest)

@@ -32,9 +32,9 @@ void ProblemWordsTest::saysWhatIsWrongAndWhere_data() {
   QTest::addColumn<Edit>("edit");
   QTest::addColumn<QString>("words");
   QTest::newRow("range") << Edit([](core::Scene& scene) { scene.gravity = -1; })
-                         << "Gravity must be from 0 to 1000 m/s².";
+                         << "Gravity must be from 0 to 1000\u00a0m/s².";
   QTest::newRow("range of a weight") << Edit([](core::Scene& scene) { scene.weights[1].mass = 0; })
-                                     << "The mass (number 2) must be from 1e-6 to 1e9 kg.";
+                                     << "The mass (number 2) must be from 1e-6 to 1e9\u00a0kg.";
   QTest::newRow("overlap") << Edit([](core::Scene& scene) {
     scene.weights[1].rope = scene.weights[0].rope;
   }) << "Weights 1 and 2 overlap at the start.";

@@ -98,7 +98,7 @@ void QuantityFieldTest::marksABadValueInPlaceAndDoesNotApplyIt() {
   QSignalSpy edited(&field, &QuantityField::edited);
   enter(field, text);
   QCOMPARE(edited.count(), 0);
-  QCOMPARE(field.reason(), QString("Must be from 0.001 to 10000 m"));
+  QCOMPARE(field.reason(), QString("Must be from 0.001 to 10000\u00a0m"));
   QCOMPARE(field.spinBox()->text(), text);
 
   enter(field, "2");

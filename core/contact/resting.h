@@ -1,0 +1,84 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace core {
+
+/// A weight in lasting contact, for the solver below.
+struct RestingWeight {
+  Eigen::Vector2d velocity{0, 0};  ///< [m/s]; the solver changes it
+  double mass = 1;                 ///< [kg]
+  /// Unit vector it can only move along, for a weight on a taut rope; zero if it is free.
+  Eigen::Vector2d track{0, 0};
+};
+
+/// Two weights, or a weight and a surface, that touch or may touch soon.
+struct RestingContact {
+  int a = -1;                    ///< index of the weight the normal points at
+  int b = -1;                    ///< index of the other weight; −1 for a surface
+  Eigen::Vector2d normal{0, 0};  ///< unit vector from b (or the surface) to a
+  double gap = 0;                ///< between the edges [m]; negative where they overlap
+  double friction = 0;           ///< μ of a surface, 0 between weights [-]
+  double push = 0;               ///< impulse along the normal so far [N s], ≥ 0
+  double drag = 0;               ///< impulse along (−n_y, n_x) so far [N s], |drag| ≤ μ push
+};
+
+/// Contact impulses that keep weights apart for a stretch of time, found together.
+///
+/// At each contact either the impulse is zero or the gap is used up at the end of the
+/// stretch: push ≥ 0, v_n + gap/duration ≥ 0, and one of the two is zero. As weights that
+/// move along straight lines only come closer than that to each other if v_n falls short
+/// of −gap/duration, none overlaps on its way, touching or not. On surfaces with friction
+/// the tangential impulse stops the slip or is μ push.
+///
+/// Projected Gauss–Seidel sweeps, with conjugate directions laid over them: a plain sweep
+/// carries a push one layer further, so deep piles would need thousands.
+/// Source: Jean, The non-smooth contact dynamics method, CMAME 177 (1999), §4;
+/// Silcowitz, Niebe & Erleben, A nonsmooth nonlinear conjugate gradient method for
+/// interactive contact force problems, The Visual Computer 26 (2010), §3.
+class ContactSolver {
+ public:
+  /// @param weights   indices in the contacts refer to these; must outlive the solver
+  ContactSolver(std::vector<RestingWeight>& weights, std::vector<RestingContact>& contacts);
+
+  /// Gives the impulses the contacts already carry to the weights (warm start).
+  void applyCarried();
+
+  /// Solves until no contact would change its weights' approach by more than `tolerance`.
+  ///
+  /// @param duration    of the stretch [s], > 0
+  /// @param tolerance   [m/s], > 0
+  /// @param mostSweeps  over all contacts, ≥ 1: a bound on the work
+  /// @return            false if the bound ended it
+  bool solve(double duration, double tolerance, int mostSweeps);
+
+ private:
+  /// What one N s along the normal or the tangent does to a contact's weights [m/s].
+  struct Response {
+    Eigen::Vector2d normalA;
+    Eigen::Vector2d normalB;
+    Eigen::Vector2d tangentA;
+    double compliance;  // of the approach [1/kg]
+  };
+
+  /// Looks at one contact. @return by how much the approach changed [m/s]
+  double settle(std::size_t index, double duration);
+  void exchange(std::size_t index, double push, double drag);
+
+  std::vector<RestingWeight>& m_weights;
+  std::vector<RestingContact>& m_contacts;
+  std::vector<Response> m_responses;  // of contacts
+};
+
+/// Heat of solved contacts, for weights that had the velocities `before` [J], ≥ 0 in sum:
+/// −Σ push (v_n before + v_n after)/2, the work that inelastic contacts take.
+double inelasticLoss(std::span<const RestingContact> contacts,
+                     std::span<const Eigen::Vector2d> before, std::span<const RestingWeight> after);
+
+/// What sliding on surfaces takes: Σ |drag v_t| with the slip after [J].
+double slipLoss(std::span<const RestingContact> contacts, std::span<const RestingWeight> after);
+
+}  // namespace core
