@@ -90,6 +90,7 @@ class Engine {
   void meet(const Upcoming& event);
   void exchange(const Upcoming& event, double s, const Entries& beforeA, const Entries& beforeB,
                 const Eigen::Vector2d& normal);
+  void logRest(int index, double s, const Entries& state);
   bool joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal);
   void hitWall(const Upcoming& event);
   void hitWallInFlight(int index, double s, const Entries& before, const Upcoming& event);
@@ -123,8 +124,8 @@ class Engine {
   };
   void settle(double s, bool foresee);
   std::vector<int> wakeTouching();
-  void solveImpacts(Group& group, ContactSolver& solver, double s);
-  void solveSupport(Group& group, ContactSolver& solver, double s, double duration);
+  void solveImpacts(Group& group, double s);
+  void solveSupport(Group& group, double s, double duration);
   void carryImpulses(const Group& group);
   void fallAsleep(const Group& group, double s, double duration);
   void releaseOrKeep(const Group& group, double s, bool foresee);

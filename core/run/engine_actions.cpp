@@ -410,6 +410,10 @@ void Engine::exchange(const Upcoming& event, double s, const Entries& beforeA,
         b);
   const bool settlesA = pieceA.settled || joins;
   const bool settlesB = pieceB.settled || joins;
+  if (impulse > 0) {
+    if (settlesA && !isSupported(a)) logRest(a, s, afterA);
+    if (settlesB && !isSupported(b)) logRest(b, s, afterB);
+  }
   goOn(a, s, beforeA, modeAfterPush(pieceA.mode, afterA, settlesA), afterA, pieceA.tied, settlesA);
   if (m_diverged) return;
   goOn(b, s, beforeB, modeAfterPush(pieceB.mode, afterB, settlesB), afterB, pieceB.tied, settlesB);
@@ -421,6 +425,12 @@ void Engine::exchange(const Upcoming& event, double s, const Entries& beforeA,
   if (m_diverged) return;
   schedule(a);
   schedule(b);
+}
+
+void Engine::logRest(int index, double s, const Entries& state) {
+  const Piece& piece = m_moving[index].piece;
+  const WeightState there = readOut(index, piece.mode, piece.tied, state);
+  log(EventKind::kRest, s, index, there, there, 0);
 }
 
 bool Engine::joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal) {

@@ -65,6 +65,7 @@ const core::Recording& RunController::recording(int index) const {
 
 std::vector<const core::Run*> RunController::runs() const {
   std::vector<const core::Run*> runs;
+  runs.reserve(m_lanes.size());
   for (const auto& lane : m_lanes) runs.push_back(&lane->run);
   return runs;
 }

@@ -48,6 +48,7 @@ std::vector<ChartedRun> EnergyPanel::chosenRuns() const {
   const int chosen = m_chooser->currentIndex() - 1;
   if (chosen >= 0) return {charted(chosen)};
   std::vector<ChartedRun> runs;
+  runs.reserve(m_controller->runCount());
   for (int i = 0; i < m_controller->runCount(); ++i) runs.push_back(charted(i));
   return runs;
 }
