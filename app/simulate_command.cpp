@@ -1,6 +1,7 @@
 #include "app/simulate_command.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <QCoreApplication>
@@ -9,6 +10,7 @@
 #include "app/run_tables.h"
 #include "core/run/run.h"
 #include "core/scene/scene_limits.h"
+#include "core/trade/stability.h"
 #include "ui/chart/chart_export.h"
 #include "ui/control/run_words.h"
 #include "ui/files/scene_file.h"
@@ -25,7 +27,11 @@ struct Texts {
 class Simulation {
  public:
   Simulation(const SimulateCall& call, std::shared_ptr<const core::Scene> scene)
-      : m_call(call), m_run(std::move(scene), call.solver), m_tables(call), m_history(call.until) {}
+      : m_call(call),
+        m_scene(std::move(scene)),
+        m_run(m_scene, call.solver),
+        m_tables(call),
+        m_history(call.until) {}
 
   ExitStatus run() {
     if (!m_tables.open()) return failure(kFailed, m_tables.error());
@@ -70,15 +76,23 @@ class Simulation {
     return failure(kFailed, m_call.chart + QStringLiteral(": ") + error);
   }
 
+  /// What to do about a run that diverged.
+  QString advice() const {
+    const std::optional<double> step =
+        core::largestStableStep(m_scene, m_call.solver, m_call.until);
+    if (!step) return Texts::tr("a smaller --step may help");
+    return Texts::tr("--step %1 works").arg(QString::fromStdString(core::numberText(*step)));
+  }
+
   ExitStatus outcome() const {
     const QString time = QString::fromStdString(core::numberText(m_run.time()));
     switch (m_run.status()) {
       case core::RunStatus::kRunning:
         return kSuccess;
       case core::RunStatus::kDiverged:
-        return failure(kDiverged, Texts::tr("diverged at %1 s: the numbers stopped being finite; "
-                                            "a smaller --step may help")
-                                      .arg(time));
+        return failure(kDiverged,
+                       Texts::tr("diverged at %1 s: the numbers stopped being finite; %2")
+                           .arg(time, advice()));
       case core::RunStatus::kEndless:
         break;
     }
@@ -89,6 +103,7 @@ class Simulation {
   }
 
   const SimulateCall& m_call;
+  std::shared_ptr<const core::Scene> m_scene;
   core::Run m_run;
   RunTables m_tables;
   EnergyHistory m_history;

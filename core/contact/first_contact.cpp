@@ -17,11 +17,16 @@ Bernstein<6> squaredDistance(const Path& a, const Path& b) {
   return result;
 }
 
-/// What follows a moment of touching: `gap` starts at zero by definition, and opens at
-/// `opening` per u. If it starts to open, or stays, only a later fall counts.
+/// What follows a moment of touching: the gap opens at `opening` per u. If it starts to
+/// open, or stays, only a later fall counts.
+///
+/// The moment is where the gap is zero by definition: what it is off by would count many
+/// times over in the quotients, and weights that overlap could never part.
 template <int kDegree>
-std::optional<Contact> contactAfterTouching(const Bernstein<kDegree>& gap, double opening,
-                                            bool still, double tolerance) {
+std::optional<Contact> contactAfterTouching(Bernstein<kDegree> gap, double opening, bool still,
+                                            double tolerance) {
+  const double offset = gap[0];
+  for (double& coefficient : gap) coefficient -= offset;
   Bernstein<kDegree - 1> rest = withoutRootAtZero<kDegree>(gap);
   if (!still) {
     rest[0] = opening;

@@ -17,8 +17,8 @@ void EventLog::clear() {
   m_forgotten = 0;
 }
 
-void EventLog::dropAfter(double time) {
-  m_events.erase(std::ranges::upper_bound(m_events, time, {}, &Event::time), m_events.end());
+void EventLog::dropFrom(double time) {
+  m_events.erase(std::ranges::lower_bound(m_events, time, {}, &Event::time), m_events.end());
 }
 
 }  // namespace core

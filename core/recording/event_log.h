@@ -17,8 +17,8 @@ class EventLog {
 
   void append(std::span<const Event> events);
   void clear();
-  /// Forgets what happened after `time` [s].
-  void dropAfter(double time);
+  /// Forgets what happened at `time` [s] and later.
+  void dropFrom(double time);
 
   std::span<const Event> events() const { return m_events; }
   std::size_t forgotten() const { return m_forgotten; }

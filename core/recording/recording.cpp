@@ -18,6 +18,7 @@ void Recording::start(const Run& run) {
 }
 
 void Recording::record(const Run& run) {
+  if (run.stepCount() <= m_lastStep) return;
   m_lastStep = run.stepCount();
   m_ledger.append({run.time(), run.energies()});
   m_events.append(run.stepEvents());
@@ -62,7 +63,11 @@ void Recording::forgetAfter(const Run& run) {
     m_stateBytes -= it->second.bytes();
   std::erase_if(m_cuts, [step](const HandCut& cut) { return cut.step > step; });
   m_ledger.dropAfter(run.time());
-  m_events.dropAfter(run.time());
+  // Of what happened at just this moment only the end of the latest step stays: cuts by hand
+  // are listed with the coming step, and what they led to comes anew.
+  m_events.dropFrom(run.time());
+  for (const Event& event : run.stepEvents())
+    if (event.time >= run.time()) m_events.append({&event, 1});
 }
 
 void Recording::restore(Run& run, std::int64_t step) const {

@@ -27,7 +27,8 @@ class Recording {
   /// Starts anew with the run as it is now.
   void start(const Run& run);
 
-  /// Records the step the run has just taken; call after each advance() that succeeded.
+  /// Records the step the run has just taken; call after each advance() that succeeded. A
+  /// step that is recorded already, as after restore(), stays as it is.
   void record(const Run& run);
 
   /// Cuts ropes by hand and remembers it. Everything recorded after the run's present step

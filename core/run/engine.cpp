@@ -214,8 +214,11 @@ bool Engine::isFinite(int index) const {
   const Piece& piece = m_moving[index].piece;
   // Squares of larger numbers are infinite: no place or energy can be told from them.
   constexpr double kLargest = 1e150;
+  // Nor where a weight is that crosses the room within the last digit of a time in the step.
+  const double fastest = 1e15 * std::max(m_scene->room.width, m_scene->room.height) / m_solver.step;
+  const Eigen::Vector2d velocity = velocityOf(m_bodies[index], piece.mode, piece.endState);
   return (piece.endState.abs() < kLargest).all() && (piece.endSlope.abs() < kLargest).all() &&
-         (piece.beginSlope.abs() < kLargest).all();
+         (piece.beginSlope.abs() < kLargest).all() && velocity.cwiseAbs().maxCoeff() < fastest;
 }
 
 double Engine::slideLoss(int index, const Piece& piece, double s) const {

@@ -167,10 +167,11 @@ std::optional<double> Foresight::taut(const Body& body, const Piece& piece) cons
   const double rounding = 1e-12 * (acceleration.norm() + std::abs(outward));
   const bool pulled = outward > rounding;
   // A straight path cannot follow a circle it starts along: Euler's own error takes it
-  // outside by less than it moves in one step, and gravity bends it back.
+  // outside by the sagitta of what it moves in a step or two, and gravity bends it back.
   const double stretch = out.norm() - body.length;
   const double travel = velocity.norm() * (piece.end - piece.begin);
-  if (piece.straight && !pulled && stretch >= -m_tolerance.gap && stretch < travel)
+  if (piece.straight && !pulled && stretch >= -m_tolerance.gap &&
+      stretch < travel * travel / body.length)
     return std::nullopt;
   return momentOf(
       firstTaut(pathOf(body, piece, piece.begin, piece.end), body.pivot, body.length,

@@ -59,6 +59,12 @@ const QByteArray kExploding = R"({"format": "angry-cuts/scene", "version": 1,
     "weights": [{"mass": 1e-6, "radius": 1, "dragCoefficient": 10, "position": [5e4, 5e4],
                  "velocity": [1e5, 0]}]})";
 
+// Explicit Euler's speed grows at steps above 2 / (q v) = 1/15 s here.
+const QByteArray kThickAir = R"({"format": "angry-cuts/scene", "version": 1,
+    "gravity": 0, "airDensity": 1000, "room": {"width": 1e5, "height": 1e5},
+    "weights": [{"mass": 1, "radius": 0.1, "dragCoefficient": 0.0637, "position": [5e4, 5e4],
+                 "velocity": [30, 0]}]})";
+
 }  // namespace
 
 class CommandLineTest : public QObject {
@@ -96,6 +102,7 @@ class CommandLineTest : public QObject {
   void refusesCalls();
   void refusesScenesWithTheirPlace();
   void divergesWithTheRowsUntilThen();
+  void suggestsAStepThatWorks();
   void saysWhenAFileCannotBeWritten();
   void opensItsFilesBeforeItSimulates();
   void noticesAFullDisk();
@@ -473,6 +480,23 @@ void CommandLineTest::divergesWithTheRowsUntilThen() {
       QVERIFY(isNumber);
     }
   }
+}
+
+void CommandLineTest::suggestsAStepThatWorks() {
+  const QStringList call{
+      "simulate", write("thick-air.json", kThickAir), "--method", "euler", "--until", "100",
+      "--step"};
+  const Outcome diverged = run(call + QStringList{"0.5"});
+  QCOMPARE(diverged.status, 3);
+  const auto line = QRegularExpression(
+                        "\\Aangrycuts: diverged at ([0-9.]+) s: .*; --step "
+                        "([0-9.]+) works\n\\z")
+                        .match(diverged.error);
+  QVERIFY2(line.hasMatch(), diverged.error);
+  QVERIFY(line.captured(1).toDouble() < 100);
+  QVERIFY(line.captured(2).toDouble() <= 1.0 / 15);
+  QVERIFY(line.captured(2).toDouble() > 0.06);
+  QCOMPARE(run(call + QStringList{line.captured(2)}).status, 0);
 }
 
 void CommandLineTest::saysWhenAFileCannotBeWritten() {

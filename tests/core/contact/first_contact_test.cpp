@@ -55,6 +55,8 @@ class FirstContactTest : public QObject {
   void touchingWeightsThatApproachHitAtOnce();
   void touchingWeightsAtRestPress();
   void touchingWeightsAtRestStayOrPart();
+  void anOffsetWithinRoundingDoesNotPress();
+  void overlappingWeightsMayPart();
   void fallsOnAWallAtTheRightMoment();
   void leavesAWallAndReturns();
   void pressesAgainstAWall();
@@ -178,6 +180,21 @@ void FirstContactTest::touchingWeightsAtRestStayOrPart() {
   // Side by side they fall together.
   QVERIFY(!core::firstContact(thrown({0, 0}, {1, 2}, {0, -10}, 1),
                               thrown({0.2, 0}, {1, 2}, {0, -10}, 1), 0.2, 1, kTolerance));
+}
+
+void FirstContactTest::anOffsetWithinRoundingDoesNotPress() {
+  for (const double offset : {-3e-13, 3e-13})
+    QVERIFY(!core::firstContact(straight({0, 0}, {0, 0}, 1), straight({0.2 + offset, 0}, {0, 0}, 1),
+                                0.2, 1, kTolerance));
+}
+
+void FirstContactTest::overlappingWeightsMayPart() {
+  const Path a = straight({0, 0}, {0, 0}, 1);
+  QVERIFY(!core::firstContact(a, straight({0.17, 0}, {0.1, 0}, 1), 0.2, 1, kTolerance));
+  const std::optional<Contact> deeper =
+      core::firstContact(a, straight({0.17, 0}, {-0.1, 0}, 1), 0.2, 1, kTolerance);
+  QVERIFY(deeper);
+  QCOMPARE(deeper->u, 0.0);
 }
 
 void FirstContactTest::fallsOnAWallAtTheRightMoment() {

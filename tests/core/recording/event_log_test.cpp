@@ -72,11 +72,11 @@ void EventLogTest::staysBounded() {
 void EventLogTest::dropsTheFuture() {
   EventLog log;
   log.append(eventsUpTo(10));
-  log.dropAfter(3);
+  log.dropFrom(3.5);
   QCOMPARE(log.events().size(), std::size_t{4});
-  log.dropAfter(2.5);
+  log.dropFrom(3);
   QCOMPARE(log.events().back().time, 2.0);
-  log.dropAfter(-1);
+  log.dropFrom(-1);
   QVERIFY(log.events().empty());
 }
 
