@@ -113,7 +113,7 @@ class Engine::Group {
     keys.push_back(key);
   }
 
-  void solve(ContactSolver& solver, double tolerance) {
+  void solve(ContactSolver& solver, double tolerance) const {
     solver.solve(m_duration, tolerance, kMostSweeps);
   }
 
