@@ -124,8 +124,8 @@ class Engine {
   };
   void settle(double s, bool foresee);
   std::vector<int> wakeTouching();
-  void solveImpacts(Group& group, ContactSolver& solver, double s);
-  void solveSupport(Group& group, ContactSolver& solver, double s, double duration);
+  void solveImpacts(Group& group, double s);
+  void solveSupport(Group& group, double s, double duration);
   void carryImpulses(const Group& group);
   void fallAsleep(const Group& group, double s, double duration);
   void releaseOrKeep(const Group& group, double s, bool foresee);

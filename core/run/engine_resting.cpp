@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "core/contact/resting.h"
 #include "core/run/engine.h"
@@ -56,65 +57,52 @@ class Engine::Group {
     if (isTethered(piece.mode)) weight.track = trackOf(state);
     weights.push_back(weight);
     unkicked.push_back(weight.velocity);
-    fastest = std::max(fastest, weight.velocity.norm());
+    m_reach.push_back(reachAt(weight.velocity));
+    m_expanded.push_back(false);
   }
 
   int localOf(int index) const { return m_engine.m_localOf[index]; }
+  bool isExpanded(int local) const { return m_expanded[local]; }
 
-  /// How far a member may come within the stretch [m].
-  double reachOf(int local) const {
-    const double radius = m_engine.m_bodies[members[local]].radius;
-    const double own = weights[local].velocity.norm() + m_engine.m_scene->gravity * m_duration;
-    return own * m_duration + std::min(fastest * m_duration, 0.5 * radius) + kTouchingGap;
-  }
-
-  void addSurfacesOf(int local) {
-    const Body& body = m_engine.m_bodies[members[local]];
-    const Piece& piece = m_engine.m_moving[members[local]].piece;
-    const Eigen::Vector2d place = places[local];
-    const Room& room = m_engine.m_scene->room;
-    const double reach = reachOf(local);
-    const auto look = [&](Surface surface, double gap, const Eigen::Vector2d& normal,
-                          double friction) {
-      if (gap <= reach) addContact({local, -1, normal, gap, friction, 0, 0}, surface);
-    };
-    const double friction = isTethered(piece.mode) ? 0 : room.friction;
-    look(kFloor, place.y() - body.radius, {0, 1}, friction);
-    look(kCeiling, room.height - place.y() - body.radius, {0, -1}, friction);
-    look(kWest, place.x() - body.radius, {1, 0}, friction);
-    look(kEast, room.width - place.x() - body.radius, {-1, 0}, friction);
-    if (!piece.tied || isTethered(piece.mode)) return;
-    const Eigen::Vector2d out = place - body.pivot;
-    if (out.norm() > 0) look(kRopeEnd, body.length - out.norm(), -out.normalized(), 0);
-  }
-
-  /// Contacts of a member with those settled weights that `use` wants, which become members.
-  template <class Wants>
-  void addNeighborsOf(int local, const Wants& wants) {
+  /// Finds all contacts of a member within its reach; settled weights it finds become members.
+  void expand(int local) {
+    m_expanded[local] = true;
+    addSurfacesOf(local);
     const int index = members[local];
     const double radius = m_engine.m_bodies[index].radius;
-    const double reach = 2 * reachOf(local);
-    const Eigen::Vector2d margin(radius + reach, radius + reach);
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(radius + 2 * m_reach[local]);
     const Box box{places[local] - margin, places[local] + margin};
     m_engine.m_broadPhase.forEachNear(box, [&](int other) {
-      if (other == index || !m_engine.m_moving[other].piece.settled || !wants(other)) return;
+      if (other == index || !m_engine.m_moving[other].piece.settled) return;
       const Piece& piece = m_engine.m_moving[other].piece;
       const Body& body = m_engine.m_bodies[other];
       const Eigen::Vector2d apart = places[local] - positionOf(body, piece.mode, piece.at(m_s));
       const double gap = apart.norm() - radius - body.radius;
-      if (gap > reach) return;
+      if (gap > 2 * m_reach[local]) return;
       add(other);
-      addContact({local, localOf(other), apart.normalized(), gap, 0, 0, 0}, other);
+      const int there = localOf(other);
+      if (gap > m_reach[local] + m_reach[there]) return;
+      const int lower = std::min(index, other), higher = std::max(index, other);
+      if (!m_pairs.emplace(lower, higher).second) return;
+      const Eigen::Vector2d normal = (index == lower ? 1 : -1) * apart.normalized();
+      addContact({localOf(lower), localOf(higher), normal, gap, 0, 0, 0}, higher);
     });
   }
 
-  void addContact(const RestingContact& contact, int key) {
-    contacts.push_back(contact);
-    keys.push_back(key);
-  }
-
-  void solve(ContactSolver& solver, double tolerance) const {
-    solver.solve(m_duration, tolerance, kMostSweeps);
+  /// Solves; when that made members faster than their contacts were looked for, looks again.
+  void solve(double tolerance) {
+    for (bool grows = true; grows;) {
+      ContactSolver(weights, contacts).solve(m_duration, tolerance, kMostSweeps);
+      grows = false;
+      for (int local = 0; local < static_cast<int>(members.size()); ++local) {
+        const double needed = reachAt(weights[local].velocity);
+        if (!m_expanded[local] || needed <= m_reach[local]) continue;
+        m_reach[local] = 2 * needed;
+        const std::size_t before = contacts.size();
+        expand(local);
+        grows = grows || contacts.size() > before;
+      }
+    }
   }
 
   std::vector<int> members;              // indices of weights
@@ -126,12 +114,45 @@ class Engine::Group {
   /// before forces [m/s].
   std::vector<Eigen::Vector2d> unkicked;
   std::vector<char> hitOrHeld;  // of members: some contact pushes
-  double fastest = 0;
 
  private:
+  /// How far a weight may come within the stretch, and some more for what pushes it [m].
+  double reachAt(const Eigen::Vector2d& velocity) const {
+    const double speed = velocity.norm() + 1.5 * m_engine.m_scene->gravity * m_duration;
+    return 1.2 * speed * m_duration + kTouchingGap;
+  }
+
+  void addSurfacesOf(int local) {
+    const Body& body = m_engine.m_bodies[members[local]];
+    const Piece& piece = m_engine.m_moving[members[local]].piece;
+    const Eigen::Vector2d place = places[local];
+    const Room& room = m_engine.m_scene->room;
+    const auto look = [&](Surface surface, double gap, const Eigen::Vector2d& normal,
+                          double friction) {
+      if (gap > m_reach[local] || !m_pairs.emplace(members[local], surface).second) return;
+      addContact({local, -1, normal, gap, friction, 0, 0}, surface);
+    };
+    const double friction = isTethered(piece.mode) ? 0 : room.friction;
+    look(kFloor, place.y() - body.radius, {0, 1}, friction);
+    look(kCeiling, room.height - place.y() - body.radius, {0, -1}, friction);
+    look(kWest, place.x() - body.radius, {1, 0}, friction);
+    look(kEast, room.width - place.x() - body.radius, {-1, 0}, friction);
+    if (!piece.tied || isTethered(piece.mode)) return;
+    const Eigen::Vector2d out = place - body.pivot;
+    if (out.norm() > 0) look(kRopeEnd, body.length - out.norm(), -out.normalized(), 0);
+  }
+
+  void addContact(const RestingContact& contact, int key) {
+    contacts.push_back(contact);
+    keys.push_back(key);
+  }
+
   Engine& m_engine;
   double m_s;
   double m_duration;
+  std::vector<double> m_reach;  // of members: how far their contacts were looked for [m]
+  std::vector<bool> m_expanded;
+  std::set<std::pair<int, int>> m_pairs;  // weights, or weight and Surface, with a contact
 };
 
 double Engine::boundaryAfter(double s) const {
@@ -174,21 +195,16 @@ void Engine::settle(double s, bool foresee) {
   const double duration = boundaryAfter(s) - s;
   Group group(*this, s, duration);
   for (const int i : members) group.add(i);
-  for (int local = 0; local < static_cast<int>(members.size()); ++local) {
-    group.addSurfacesOf(local);
-    group.addNeighborsOf(
-        local, [&](int other) { return other > members[local] && group.localOf(other) >= 0; });
-  }
-  ContactSolver solver(group.weights, group.contacts);
-  solveImpacts(group, solver, s);
-  solveSupport(group, solver, s, duration);
+  for (int local = 0; local < static_cast<int>(members.size()); ++local) group.expand(local);
+  solveImpacts(group, s);
+  solveSupport(group, s, duration);
   carryImpulses(group);
   fallAsleep(group, s, duration);
   releaseOrKeep(group, s, foresee);
 }
 
-void Engine::solveImpacts(Group& group, ContactSolver& solver, double s) {
-  group.solve(solver, kSolverTolerance);
+void Engine::solveImpacts(Group& group, double s) {
+  group.solve(kSolverTolerance);
   loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
   group.hitOrHeld.assign(group.members.size(), 0);
   for (const RestingContact& contact : group.contacts) {
@@ -200,7 +216,7 @@ void Engine::solveImpacts(Group& group, ContactSolver& solver, double s) {
     group.unkicked[k] = group.weights[k].velocity;
 }
 
-void Engine::solveSupport(Group& group, ContactSolver& solver, double s, double duration) {
+void Engine::solveSupport(Group& group, double s, double duration) {
   for (std::size_t k = 0; k < group.members.size(); ++k) {
     const int index = group.members[k];
     const Piece& piece = m_moving[index].piece;
@@ -221,8 +237,8 @@ void Engine::solveSupport(Group& group, ContactSolver& solver, double s, double 
     contact.push = found ? carried->push : 0;
     contact.drag = found ? carried->drag : 0;
   }
-  solver.applyCarried();
-  group.solve(solver, kSolverTolerance);
+  ContactSolver(group.weights, group.contacts).applyCarried();
+  group.solve(kSolverTolerance);
   loseQuietly(s, 0, slipLoss(group.contacts, group.weights));
   for (const RestingContact& contact : group.contacts) {
     if (contact.push == 0) continue;
@@ -312,24 +328,16 @@ void Engine::spread(double s, const std::vector<int>& seeds, double approach) {
   const double tolerance = std::max(kHitTolerance, kHitShare * approach);
   Group group(*this, s, std::max(boundaryAfter(s) - s, 1e-9));
   for (const int i : seeds) group.add(i);
-  std::vector<char> isExpanded;
   for (bool reaches = true; reaches;) {
     reaches = false;
-    isExpanded.resize(group.members.size(), 0);
-    for (std::size_t k = 0; k < isExpanded.size(); ++k) {
-      const double change = (group.weights[k].velocity - group.unkicked[k]).norm();
-      if (isExpanded[k] || (k >= seeds.size() && change <= tolerance)) continue;
-      isExpanded[k] = 1;
+    for (int local = 0, count = static_cast<int>(group.members.size()); local < count; ++local) {
+      const double change = (group.weights[local].velocity - group.unkicked[local]).norm();
+      const bool isHit = local < static_cast<int>(seeds.size()) || change > tolerance;
+      if (!isHit || group.isExpanded(local)) continue;
+      group.expand(local);
       reaches = true;
-      group.addSurfacesOf(static_cast<int>(k));
-      group.addNeighborsOf(static_cast<int>(k), [&](int other) {
-        const int there = group.localOf(other);
-        return there < 0 || there >= static_cast<int>(isExpanded.size()) || !isExpanded[there];
-      });
     }
-    if (!reaches) break;
-    ContactSolver solver(group.weights, group.contacts);
-    group.solve(solver, tolerance);
+    if (reaches) group.solve(tolerance);
   }
   loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
   moveSpread(group, s);
