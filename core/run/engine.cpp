@@ -162,7 +162,7 @@ void Engine::scheduleMeeting(int a, int b) {
   const Piece& pieceA = m_moving[a].piece;
   const Piece& pieceB = m_moving[b].piece;
   if (pieceA.settled && pieceB.settled) return;
-  if (m_stepper.isStill(pieceA) && m_stepper.isStill(pieceB)) return;
+  if (Stepper::isStill(pieceA) && Stepper::isStill(pieceB)) return;
   if (const auto moment = m_foresight.meeting(m_bodies[a], pieceA, m_bodies[b], pieceB))
     push(moment->time, a, b, Upcoming::Kind::kWeight, moment->pressing);
 }
