@@ -100,6 +100,8 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
   const double end = settled && !moving.asleep ? boundaryAfter(s) : m_solver.step;
   moving.piece = {.begin = s, .end = end, .mode = mode, .tied = tied, .settled = settled};
   moving.piece.beginState = after;
+  if (settled)
+    m_fastestSettled = std::max(m_fastestSettled, velocityOf(m_bodies[index], mode, after).norm());
   m_stepper.fill(m_bodies[index], moving.piece);
   ++moving.stamp;
   if (!isFinite(index)) {
