@@ -64,8 +64,9 @@ void BroadPhase::chooseCells() {
   // A cell as wide as a mean box keeps both the cells per box and the boxes per cell few;
   // never more cells than twice the weights.
   const double evenCell = std::sqrt(extent.x() * extent.y() / (2 * count));
-  m_cell = std::max({edges / count, evenCell, extent.maxCoeff() / (2 * count)});
-  if (!(m_cell > 0) || !std::isfinite(m_cell)) return;
+  const double cell = std::max({edges / count, evenCell, extent.maxCoeff() / (2 * count)});
+  if (!(cell > 0) || !std::isfinite(cell)) return;
+  m_cell = cell;
   m_origin = all.low;
   m_columns = 1 + static_cast<int>(extent.x() / m_cell);
   m_rows = 1 + static_cast<int>(extent.y() / m_cell);
