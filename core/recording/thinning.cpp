@@ -24,8 +24,8 @@ void appendExtremes(std::vector<CurvePoint>& kept, Part part) {
   const auto [lowest, highest] = std::ranges::minmax_element(part, {}, &CurvePoint::y);
   std::array points{part.begin(), lowest, highest, part.end() - 1};
   std::ranges::sort(points);
-  const auto repeated = std::ranges::unique(points);
-  for (auto point = points.begin(); point != repeated.begin(); ++point) kept.push_back(**point);
+  const auto end = std::unique(points.begin(), points.end());
+  for (auto point = points.begin(); point != end; ++point) kept.push_back(**point);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace core {
 namespace {
 
 // More events than this in one step, and the step is given up: it would never end.
-constexpr std::int64_t kMostEventsPerStep = 2'000'000;
+constexpr std::int64_t kMostEventsPerStep = 500'000;
 
 ContactTolerance toleranceFor(const Scene& scene) {
   // Places are rounded to about 10⁻¹⁶ of the room's size.
@@ -162,7 +162,7 @@ void Engine::scheduleMeeting(int a, int b) {
   const Piece& pieceA = m_moving[a].piece;
   const Piece& pieceB = m_moving[b].piece;
   if (pieceA.settled && pieceB.settled) return;
-  if (m_stepper.isStill(pieceA) && m_stepper.isStill(pieceB)) return;
+  if (Stepper::isStill(pieceA) && Stepper::isStill(pieceB)) return;
   if (const auto moment = m_foresight.meeting(m_bodies[a], pieceA, m_bodies[b], pieceB))
     push(moment->time, a, b, Upcoming::Kind::kWeight, moment->pressing);
 }

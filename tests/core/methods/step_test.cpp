@@ -5,7 +5,6 @@
 #include "core/methods/method_list.h"
 
 using core::ExplicitEuler;
-using core::Method;
 using core::RungeKutta4;
 
 namespace {
