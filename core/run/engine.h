@@ -168,7 +168,8 @@ class Engine {
   // The latest step.
   std::vector<Moving> m_moving;
   std::vector<FinishedPiece> m_finished;
-  std::vector<int> m_localOf;  // of weights in the group being solved, or −1
+  double m_fastestSettled = 0;  // since forces were found anew [m/s]
+  std::vector<int> m_localOf;   // of weights in the group being solved, or −1
   std::vector<Box> m_boxes;
   BroadPhase m_broadPhase;
   EventQueue m_queue;

@@ -92,7 +92,7 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
     Piece done = moving.piece;
     done.end = s;
     done.endState = before;
-    if (!done.straight) done.endSlope = m_stepper.slope(m_bodies[index], done.mode, before);
+    if (!done.straight) done.endSlope = m_stepper.slopeOn(m_bodies[index], done, before);
     m_now.losses.friction += slideLoss(index, done, s);
     m_finished.push_back({done, moving.finished});
     moving.finished = static_cast<int>(m_finished.size()) - 1;
@@ -100,6 +100,8 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
   const double end = settled && !moving.asleep ? boundaryAfter(s) : m_solver.step;
   moving.piece = {.begin = s, .end = end, .mode = mode, .tied = tied, .settled = settled};
   moving.piece.beginState = after;
+  if (settled)
+    m_fastestSettled = std::max(m_fastestSettled, velocityOf(m_bodies[index], mode, after).norm());
   m_stepper.fill(m_bodies[index], moving.piece);
   ++moving.stamp;
   if (!isFinite(index)) {

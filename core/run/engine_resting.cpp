@@ -57,7 +57,7 @@ class Engine::Group {
     if (isTethered(piece.mode)) weight.track = trackOf(state);
     weights.push_back(weight);
     unkicked.push_back(weight.velocity);
-    m_reach.push_back(reachAt(weight.velocity));
+    m_reach.push_back(reachAt(weight.velocity.norm()));
     m_expanded.push_back(false);
   }
 
@@ -70,18 +70,22 @@ class Engine::Group {
     addSurfacesOf(local);
     const int index = members[local];
     const double radius = m_engine.m_bodies[index].radius;
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(radius + 2 * m_reach[local]);
+    // A slow weight, too, must be told of a fast one that comes its way.
+    const double farthest = m_reach[local] + reachAt(m_engine.m_fastestSettled);
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(radius + farthest);
     const Box box{places[local] - margin, places[local] + margin};
     m_engine.m_broadPhase.forEachNear(box, [&](int other) {
       if (other == index || !m_engine.m_moving[other].piece.settled) return;
       const Piece& piece = m_engine.m_moving[other].piece;
       const Body& body = m_engine.m_bodies[other];
-      const Eigen::Vector2d apart = places[local] - positionOf(body, piece.mode, piece.at(m_s));
+      const Entries state = piece.at(m_s);
+      const Eigen::Vector2d apart = places[local] - positionOf(body, piece.mode, state);
       const double gap = apart.norm() - radius - body.radius;
-      if (gap > 2 * m_reach[local]) return;
+      const double reachThere = localOf(other) >= 0
+                                    ? m_reach[localOf(other)]
+                                    : reachAt(velocityOf(body, piece.mode, state).norm());
+      if (gap > m_reach[local] + reachThere) return;
       add(other);
-      const int there = localOf(other);
-      if (gap > m_reach[local] + m_reach[there]) return;
       const int lower = std::min(index, other), higher = std::max(index, other);
       if (!m_pairs.emplace(lower, higher).second) return;
       const Eigen::Vector2d normal = (index == lower ? 1 : -1) * apart.normalized();
@@ -95,7 +99,7 @@ class Engine::Group {
       ContactSolver(weights, contacts).solve(m_duration, tolerance, kMostSweeps);
       grows = false;
       for (int local = 0; local < static_cast<int>(members.size()); ++local) {
-        const double needed = reachAt(weights[local].velocity);
+        const double needed = reachAt(weights[local].velocity.norm());
         if (!m_expanded[local] || needed <= m_reach[local]) continue;
         m_reach[local] = 2 * needed;
         const std::size_t before = contacts.size();
@@ -117,9 +121,9 @@ class Engine::Group {
 
  private:
   /// How far a weight may come within the stretch, and some more for what pushes it [m].
-  double reachAt(const Eigen::Vector2d& velocity) const {
-    const double speed = velocity.norm() + 1.5 * m_engine.m_scene->gravity * m_duration;
-    return 1.2 * speed * m_duration + kTouchingGap;
+  double reachAt(double speed) const {
+    const double kick = 1.5 * m_engine.m_scene->gravity * m_duration;
+    return 1.2 * (speed + kick) * m_duration + kTouchingGap;
   }
 
   void addSurfacesOf(int local) {
@@ -195,6 +199,9 @@ void Engine::settle(double s, bool foresee) {
   const double duration = boundaryAfter(s) - s;
   Group group(*this, s, duration);
   for (const int i : members) group.add(i);
+  m_fastestSettled = 0;
+  for (const RestingWeight& weight : group.weights)
+    m_fastestSettled = std::max(m_fastestSettled, weight.velocity.norm());
   for (int local = 0; local < static_cast<int>(members.size()); ++local) group.expand(local);
   solveImpacts(group, s);
   solveSupport(group, s, duration);

@@ -37,15 +37,23 @@ bool Stepper::isStill(const Piece& piece) {
 }
 
 Entries Stepper::slope(const Body& body, Mode mode, const Entries& state) {
-  if (core::isStill(mode, state)) return Entries::Zero();
+  Piece piece;
+  piece.mode = mode;
+  piece.beginState = state;
+  return slopeOn(body, piece, state);
+}
+
+Entries Stepper::slopeOn(const Body& body, const Piece& piece, const Entries& state) {
+  if (core::isStill(piece.mode, piece.beginState)) return Entries::Zero();
   ++m_evaluations;
-  switch (mode) {
+  switch (piece.mode) {
     case Mode::kSwing:
     case Mode::kHeld:
       return fiveOf(Swing<>(m_gravity, body.length, body.mass, body.drag)(threeOf(state)), 0);
-    case Mode::kSlide:
-      return fiveOf(
-          Slide(m_friction, std::copysign(1, state[2]), body.mass, body.drag)(threeOf(state)), 0);
+    case Mode::kSlide: {
+      const double way = std::copysign(1, piece.beginState[2]);
+      return fiveOf(Slide(m_friction, way, body.mass, body.drag)(threeOf(state)), 0);
+    }
     case Mode::kFlight:
       break;
   }
@@ -57,7 +65,7 @@ void Stepper::fill(const Body& body, Piece& piece) {
   piece.straight = m_method->path == PathShape::kStraight;
   piece.beginSlope = slope(body, piece.mode, piece.beginState);
   piece.endState = step(body, piece, piece.end - piece.begin);
-  piece.endSlope = piece.straight ? piece.beginSlope : slope(body, piece.mode, piece.endState);
+  piece.endSlope = piece.straight ? piece.beginSlope : slopeOn(body, piece, piece.endState);
 }
 
 void Stepper::fillSettled(const Body& body, Piece& piece) {

@@ -20,6 +20,10 @@ class Stepper {
   /// d(state)/dt of the weight in that mode.
   Entries slope(const Body& body, Mode mode, const Entries& state);
 
+  /// The same on a piece whose mode and beginState are set. A slide goes on the way it
+  /// starts, past its stop as well: the stop is a root of its smooth path.
+  Entries slopeOn(const Body& body, const Piece& piece, const Entries& state);
+
   /// Fills in the end of a piece whose begin, end, mode and beginState are set: one step of
   /// the method from its begin to its end. A settled weight keeps its velocity.
   void fill(const Body& body, Piece& piece);

@@ -52,7 +52,7 @@ void DeterminismTest::addRuns() {
 Run DeterminismTest::newRun() const {
   QFETCH(QByteArray, method);
   QFETCH(int, seed);
-  return Run(std::make_shared<const core::Scene>(tests::randomScene(seed, 6)),
+  return Run(std::make_shared<const core::Scene>(tests::randomScene(seed, 12)),
              {.method = method.toStdString(), .step = 1.0 / 60});
 }
 

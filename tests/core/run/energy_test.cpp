@@ -25,6 +25,21 @@ double scaleOf(const Run& run) {
   return scale;
 }
 
+/// Energy that events of the latest step took [J].
+double listedLoss(const Run& run) {
+  double lost = 0;
+  for (const core::Event& event : run.stepEvents()) lost += event.energyLost;
+  return lost;
+}
+
+/// Whether a weight came to rest on another in the latest step: unlike a bounce series on
+/// the floor, that takes no energy of its own.
+bool hasRestOnAnother(const Run& run) {
+  return std::ranges::any_of(run.stepEvents(), [](const core::Event& event) {
+    return event.kind == core::EventKind::kRest && event.energyLost == 0;
+  });
+}
+
 }  // namespace
 
 /// The energy ledger of whole runs.
@@ -55,7 +70,7 @@ void EnergyTest::addScenes() {
 
 Run EnergyTest::newRun(const QByteArray& method, double step) const {
   QFETCH(int, seed);
-  return Run(std::make_shared<const Scene>(tests::randomScene(seed, 6)),
+  return Run(std::make_shared<const Scene>(tests::randomScene(seed, 12)),
              {.method = method.toStdString(), .step = step});
 }
 
@@ -79,10 +94,14 @@ void EnergyTest::closesForAnyScene_data() {
 
 void EnergyTest::closesForAnyScene() {
   Run run = newRun("rk4", 1.0 / 240);
+  bool heaped = false;
   while (run.time() < 3) {
     QCOMPARE(run.advance(), RunStatus::kRunning);
+    heaped = heaped || hasRestOnAnother(run);
     const double drift = std::abs(run.energies().numericalDrift) / scaleOf(run);
-    QVERIFY2(drift < 1e-7, qPrintable(QStringLiteral("%1 at %2 s").arg(drift).arg(run.time())));
+    // Weights that lean on each other move by steps of first order.
+    QVERIFY2(drift < (heaped ? 0.01 : 1e-7),
+             qPrintable(QStringLiteral("%1 at %2 s").arg(drift).arg(run.time())));
   }
 }
 
@@ -105,18 +124,19 @@ void EnergyTest::neverGivesLostEnergyBack() {
 }
 
 void EnergyTest::countsEveryEventOnce_data() {
-  addScenes();
+  closesForReferences_data();
 }
 
 void EnergyTest::countsEveryEventOnce() {
-  Run run = newRun("rk4", 1.0 / 60);
-  double lost = 0;
-  while (run.time() < 3) {
+  QFETCH(QString, name);
+  Run run(tests::referenceCase(name).scene, {.method = "rk4", .step = 1.0 / 60});
+  double listed = 0;
+  while (run.time() < 5) {
     run.advance();
-    for (const core::Event& event : run.stepEvents()) lost += event.energyLost;
+    listed += listedLoss(run);
     const Energies now = run.energies();
     // Summed in another order.
-    QVERIFY(std::abs(now.lostToImpacts + now.lostToRopes - lost) < 1e-13 * (1 + lost));
+    QVERIFY(std::abs(now.lostToImpacts + now.lostToRopes - listed) < 1e-14);
     QCOMPARE(now.accounted() - run.startEnergy(), now.numericalDrift);
   }
 }

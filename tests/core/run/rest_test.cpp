@@ -53,6 +53,8 @@ class RestTest : public QObject {
   void startsAtRestOnTheFloor();
   void slidesToTheRightPlace_data();
   void slidesToTheRightPlace();
+  void stopsAtTheRightMomentOfAStep_data();
+  void stopsAtTheRightMomentOfAStep();
   void slidesForEverWithoutFriction();
   void bouncesOffAWallWhileItSlides();
 };
@@ -152,6 +154,28 @@ void RestTest::slidesToTheRightPlace() {
   QVERIFY(std::abs(run.energies().lostToFriction - friction) < accuracy);
   const double start = 0.5 * scene.weights[0].mass * speed * speed;
   QVERIFY(std::abs(run.energies().lostToAir - (start - friction)) < 10 * accuracy);
+}
+
+void RestTest::stopsAtTheRightMomentOfAStep_data() {
+  QTest::addColumn<double>("stop");
+  for (const double stop : {0.1, 0.4, 0.5, 0.9}) QTest::addRow("%g of a step", stop) << stop;
+}
+
+void RestTest::stopsAtTheRightMomentOfAStep() {
+  QFETCH(double, stop);
+  Scene scene = sceneWith(weightAt(2, 0.02, 0));
+  scene.room.friction = 0.3;
+  const double braking = 0.3 * scene.gravity, step = 0.5;
+  const double speed = braking * stop * step;
+  scene.weights[0].velocity = {speed, 0};
+  Run run(std::make_shared<const Scene>(scene), {.method = "rk4", .step = step});
+  run.advance();
+  for (double time = 0; time <= step; time += step / 16) {
+    const double sliding = std::min(time, stop * step);
+    const double place = 2 + speed * sliding - 0.5 * braking * sliding * sliding;
+    QVERIFY(std::abs(run.weightAt(0, time).position.x() - place) < 1e-14);
+    QVERIFY(std::abs(run.weightAt(0, time).velocity.x() - (speed - braking * sliding)) < 1e-14);
+  }
 }
 
 void RestTest::slidesForEverWithoutFriction() {

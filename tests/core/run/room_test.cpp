@@ -73,7 +73,7 @@ void RoomTest::keepsEveryWeightInside() {
   QFETCH(QByteArray, method);
   QFETCH(double, step);
   QFETCH(int, seed);
-  const auto scene = std::make_shared<const Scene>(tests::randomScene(seed, 6));
+  const auto scene = std::make_shared<const Scene>(tests::randomScene(seed, 12));
   Run run(scene, {.method = method.toStdString(), .step = step});
   // On ropes the plane cubic of an arc of 0.12 rad is off by up to 10⁻⁶ of its length, and a
   // graze shallower than that may be overlooked.
