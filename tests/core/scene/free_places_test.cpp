@@ -90,7 +90,9 @@ void FreePlacesTest::givesWhatThereIs() {
 void FreePlacesTest::findsAHundredThousandAmongAsMany() {
   Scene scene = roomOf(100, 100);
   for (int i = 0; i < core::kMostWeights; ++i) {
-    scene.weights.push_back(freeWeight(0.1 + 0.2 * (i % 499), 0.1 + 0.2 * (i / 499), 0.05));
+    const int row = i / 499;
+    const int column = i % 499;
+    scene.weights.push_back(freeWeight(0.1 + 0.2 * column, 0.1 + 0.2 * row, 0.05));
   }
   const auto places = core::freePlaces(scene, scene.weights.front(), core::kMostWeights);
   QCOMPARE(places.size(), std::size_t{core::kMostWeights});

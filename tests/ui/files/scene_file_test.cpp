@@ -77,9 +77,10 @@ core::Scene crowd(int count) {
   core::Scene scene;
   scene.room = {1000, 1000, 0.8, 0};
   for (int i = 0; i < count; ++i) {
+    const int row = i / 400;
+    const int column = i % 400;
     core::Weight weight;
-    weight.rope =
-        core::Rope{{5 + i % 400 * 2.4 / 1.001, 5 + i / 400 * 3.7}, 0.731, i / 1e6, 0.1, false};
+    weight.rope = core::Rope{{5 + column * 2.4 / 1.001, 5 + row * 3.7}, 0.731, i / 1e6, 0.1, false};
     scene.weights.push_back(weight);
   }
   return scene;
