@@ -442,7 +442,12 @@ bool Engine::joinAtRest(const Upcoming& event, double approach, const Eigen::Vec
   const int meetings = std::max(++m_moving[a].meetings, ++m_moving[b].meetings);
   const double steps = std::max(1.0, m_solver.step * 60);
   if (meetings > kMostMeetings * steps) return true;
-  if (isSupported(a) == isSupported(b)) return false;
+  // Between two solves a settled weight moves with the velocity a whole stretch of gravity
+  // gave it: so slow a hit is a lean.
+  const bool settled = m_moving[a].piece.settled || m_moving[b].piece.settled;
+  if (isSupported(a) && isSupported(b))
+    return settled && approach <= 2 * m_scene->gravity * boundaryAfter(0);
+  if (!isSupported(a) && !isSupported(b)) return false;
   // The free one bounces off the one that lies: gravity brings it back.
   const double pull = (isSupported(a) ? 1 : -1) * normal.y() * m_scene->gravity;
   const double rebound = m_scene->restitution * approach;

@@ -20,7 +20,7 @@ constexpr double kSolverTolerance = 1e-8;
 // After a hit, until the next solve, this is enough [m/s], or this share of the hit.
 constexpr double kHitTolerance = 1e-6;
 constexpr double kHitShare = 1e-5;
-constexpr int kMostSweeps = 400;
+constexpr int kMostSweeps = 600;
 // A group falls asleep when all its weights have been slower than this share of √(2 g r)
 // for this many times √(2 r / g), the time in which what stands on a point leaves it by a
 // factor of e: one that sets out to roll off another from 10⁻⁸ r off its top is faster by

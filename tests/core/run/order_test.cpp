@@ -1,11 +1,37 @@
 #include <cmath>
+#include <memory>
 
 #include <QtTest>
 
+#include "core/motion/drag.h"
 #include "tests/support/observed_order.h"
 
 using tests::OrderMeasurement;
 using tests::ReferenceCase;
+
+namespace {
+
+/// A light weight thrown straight up at 5 m/s.
+core::Scene tossed() {
+  core::Scene scene;
+  scene.weights.resize(1);
+  scene.weights[0].mass = 0.0027;
+  scene.weights[0].position = {2, 1};
+  scene.weights[0].velocity = {0, 5};
+  return scene;
+}
+
+/// Its height in closed form, with V = √(g/q): v = V tan(…) on the way up, −V tanh(…) down.
+double tossedHeight(const core::Scene& scene, double time) {
+  const double q = core::dragFactor(scene.weights[0], scene.airDensity);
+  const double g = scene.gravity, terminal = std::sqrt(g / q);
+  const double speed = scene.weights[0].velocity.y();
+  const double up = terminal / g * std::atan(speed / terminal);
+  const double top = std::log1p(speed * speed * q / g) / (2 * q);
+  return 1 + top - std::log(std::cosh(g * (time - up) / terminal)) / q;
+}
+
+}  // namespace
 
 /// How the errors of whole runs fall with the step, impacts, cuts and ropes included.
 class OrderTest : public QObject {
@@ -16,6 +42,7 @@ class OrderTest : public QObject {
   void convergesAtExactlyTheStatedOrder();
   void keepsTheOrderAtStepsThatMeetNoEventOrMoment_data();
   void keepsTheOrderAtStepsThatMeetNoEventOrMoment();
+  void keepsTheOrderOverTheTopOfAThrow();
 };
 
 void OrderTest::convergesAtExactlyTheStatedOrder_data() {
@@ -67,6 +94,18 @@ void OrderTest::keepsTheOrderAtStepsThatMeetNoEventOrMoment() {
   const OrderMeasurement measured =
       measuredOrder(tests::referenceCase(name), *core::findMethod("rk4"),
                     tests::stepLadder(1.0 / 41, 1.0 / 331, 7));
+  QVERIFY2(std::abs(measured.order() - 4) <= 0.2, qPrintable(measured.text()));
+}
+
+void OrderTest::keepsTheOrderOverTheTopOfAThrow() {
+  // Straight up in air: |v| v has a kink at the top, where the step is split.
+  tests::ReferenceCase toss{"throw", std::make_shared<core::Scene>(tossed()), {}};
+  toss.exact.moments.resize(1);
+  toss.exact.moments[0].time = 1;
+  toss.exact.moments[0].weights.resize(1);
+  toss.exact.moments[0].weights[0].position = {2, tossedHeight(*toss.scene, 1)};
+  const OrderMeasurement measured =
+      measuredOrder(toss, *core::findMethod("rk4"), tests::stepLadder(1.0 / 40, 1.0 / 320, 7));
   QVERIFY2(std::abs(measured.order() - 4) <= 0.2, qPrintable(measured.text()));
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include <QtTest>
 
@@ -56,6 +57,12 @@ class RoomTest : public QObject {
   void keepsEveryWeightInside();
   void keepsFastWeightsApart_data();
   void keepsFastWeightsApart();
+  void hitsAWallThatARodJustReaches_data();
+  void hitsAWallThatARodJustReaches();
+  void keepsEveryWeightWithinItsRope_data();
+  void keepsEveryWeightWithinItsRope();
+  void pullsRopesTautWithoutAJump_data();
+  void pullsRopesTautWithoutAJump();
 };
 
 void RoomTest::keepsEveryWeightInside_data() {
@@ -124,6 +131,85 @@ void RoomTest::keepsFastWeightsApart() {
     }
   }
   QVERIFY(std::abs(run.energies().numericalDrift) < 1e-12 * run.startEnergy());
+}
+
+void RoomTest::hitsAWallThatARodJustReaches_data() {
+  QTest::addColumn<double>("turn");
+  for (const double turn : {0.03, 0.5, 1.1, 3.0, 20.0})
+    QTest::addRow("%g rad a step", turn) << turn;
+}
+
+void RoomTest::hitsAWallThatARodJustReaches() {
+  QFETCH(double, turn);
+  // The circle reaches 0.1 mm behind the east wall, in the middle of the first step.
+  Scene scene;
+  scene.gravity = 0;
+  scene.airDensity = 0;
+  scene.weights.resize(1);
+  scene.weights[0].rope = core::Rope{.pivot = {scene.room.width - 1.02 + 1e-4, 1.5},
+                                     .length = 1,
+                                     .angle = std::numbers::pi / 2 - std::min(turn / 2, 0.55),
+                                     .angularVelocity = 2,
+                                     .rigid = true};
+  Run run(std::make_shared<const Scene>(scene), {.method = "rk4", .step = turn / 2});
+  run.advance();
+  QVERIFY(!run.stepEvents().empty());
+  const core::Event hit = run.stepEvents()[0];
+  QCOMPARE(hit.kind, core::EventKind::kImpactEast);
+  const double angle = std::asin(1 - 1e-4);
+  // The wall is met at a slope of 1/70, to 10⁻¹² m.
+  QVERIFY(std::abs(hit.time - (angle - scene.weights[0].rope->angle) / 2) < 1e-10);
+}
+
+void RoomTest::keepsEveryWeightWithinItsRope_data() {
+  QTest::addColumn<int>("seed");
+  for (int seed = 0; seed < 12; ++seed) QTest::addRow("%d", seed) << seed;
+}
+
+void RoomTest::keepsEveryWeightWithinItsRope() {
+  QFETCH(int, seed);
+  const auto scene = std::make_shared<const Scene>(tests::randomScene(seed, 12));
+  Run run(scene, {.method = "rk4", .step = 1.0 / 60});
+  while (run.time() < 3 && !run.allCut()) {
+    QCOMPARE(run.advance(), RunStatus::kRunning);
+    for (int i = 0; i < run.weightCount(); ++i) {
+      const core::WeightState state = run.weight(i);
+      if (state.phase != core::Phase::kSlack) continue;
+      const core::Rope& rope = *scene->weights[i].rope;
+      // Within the tolerance of being taut.
+      QVERIFY((state.position - rope.pivot).norm() <= rope.length + 1e-11);
+    }
+  }
+}
+
+void RoomTest::pullsRopesTautWithoutAJump_data() {
+  QTest::addColumn<QByteArray>("method");
+  QTest::addColumn<double>("most");
+  QTest::newRow("rk4") << QByteArray("rk4") << 1e-11;
+  // Straight paths leave a circle by (v h)² / (2 L) a step, a millimeter or two here.
+  QTest::newRow("euler") << QByteArray("euler") << 0.004;
+}
+
+void RoomTest::pullsRopesTautWithoutAJump() {
+  QFETCH(QByteArray, method);
+  QFETCH(double, most);
+  int counted = 0;
+  for (int seed = 0; seed < 20; ++seed) {
+    Scene scene = tests::randomScene(seed, 12);
+    scene.cutTime.reset();
+    Run run(std::make_shared<const Scene>(std::move(scene)),
+            {.method = method.toStdString(), .step = 1.0 / 240});
+    while (run.time() < 3) {
+      QCOMPARE(run.advance(), RunStatus::kRunning);
+      for (const core::Event& event : run.stepEvents()) {
+        if (event.kind != core::EventKind::kTaut) continue;
+        ++counted;
+        const Vector2d after = run.weightAt(event.weight, event.time).position;
+        QVERIFY2((after - event.position).norm() < most, qPrintable(QString::number(seed)));
+      }
+    }
+  }
+  QVERIFY(counted > 20);
 }
 
 QTEST_APPLESS_MAIN(RoomTest)

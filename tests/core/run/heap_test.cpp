@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <QTest>
+
+#include "core/run/run.h"
+#include "core/scene/scene_limits.h"
+
+using core::Run;
+using core::RunStatus;
+using core::Scene;
+using core::Weight;
+using core::WeightState;
+
+namespace {
+
+/// Weights of mixed size over the floor of a narrow room, about to fall into it.
+std::shared_ptr<const Scene> pouring(int count, double restitution) {
+  auto scene = std::make_shared<Scene>();
+  std::mt19937 generator(1);
+  const auto share = [&] { return static_cast<double>(generator()) / 4294967296.0; };
+  constexpr double kCell = 0.1;
+  const int columns = std::max(3, static_cast<int>(std::sqrt(count / 4.0)));
+  scene->room = {.width = columns * kCell,
+                 .height = (count / columns + 1) * kCell + 0.5,
+                 .restitution = restitution,
+                 .friction = 0.2};
+  scene->restitution = restitution;
+  for (int i = 0; i < count; ++i) {
+    Weight weight;
+    weight.radius = 0.015 + 0.03 * share();
+    weight.mass = 0.19 * std::pow(weight.radius / 0.02, 3);
+    weight.position = {(i % columns + 0.5) * kCell + 0.004 * (share() - 0.5),
+                       (i / columns + 0.5) * kCell + 0.1};
+    weight.velocity = {share() - 0.5, share() - 0.5};
+    scene->weights.push_back(weight);
+  }
+  return scene;
+}
+
+double largestOverlap(const Run& run) {
+  std::vector<WeightState> states;
+  for (int i = 0; i < run.weightCount(); ++i) states.push_back(run.weight(i));
+  const std::vector<Weight>& weights = run.scene().weights;
+  double largest = 0;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      largest = std::max(largest, weights[i].radius + weights[j].radius -
+                                      (states[i].position - states[j].position).norm());
+  return largest;
+}
+
+}  // namespace
+
+class HeapTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void settlesWithoutOverlapOrNewEnergy_data();
+  void settlesWithoutOverlapOrNewEnergy();
+  void leavesNothingBalancedOnATop_data();
+  void leavesNothingBalancedOnATop();
+  void wakesWhenHit();
+  void keepsElasticCrowdsAlive();
+};
+
+void HeapTest::settlesWithoutOverlapOrNewEnergy_data() {
+  QTest::addColumn<int>("count");
+  QTest::addColumn<double>("restitution");
+  for (const int count : {7, 50})
+    for (const double restitution : {0.5, 0.8})
+      QTest::addRow("%d weights, e = %g", count, restitution) << count << restitution;
+}
+
+void HeapTest::settlesWithoutOverlapOrNewEnergy() {
+  QFETCH(int, count);
+  QFETCH(double, restitution);
+  const auto scene = pouring(count, restitution);
+  QVERIFY(core::problemsIn(*scene).empty());
+  Run run(scene, {.method = "rk4", .step = 1.0 / 60});
+  double overlap = 0;
+  while (run.time() < 60) {
+    QCOMPARE(run.advance(), RunStatus::kRunning);
+    overlap = std::max(overlap, largestOverlap(run));
+    QVERIFY(run.energies().mechanical() <= run.startEnergy() * (1 + 1e-12));
+  }
+  // Groups are solved to 10⁻⁸ m/s, hits in them to 10⁻⁵ of their speed, for 1/240 s.
+  QVERIFY2(overlap <= 1e-6, qPrintable(QString::number(overlap)));
+  QVERIFY(run.energies().kinetic <= 1e-6);
+  QVERIFY(std::abs(run.energies().numericalDrift) <= 0.01 * run.startEnergy());
+}
+
+void HeapTest::leavesNothingBalancedOnATop_data() {
+  QTest::addColumn<double>("offCenter");
+  QTest::newRow("0.1 micrometers") << 1e-7;
+  QTest::newRow("1 mm") << 1e-3;
+}
+
+void HeapTest::leavesNothingBalancedOnATop() {
+  QFETCH(double, offCenter);
+  auto scene = std::make_shared<Scene>();
+  scene->room = {.width = 20, .height = 3, .restitution = 0.8, .friction = 0};
+  Weight below, above;
+  below.position = {10, 0.02};
+  above.position = {10 + offCenter, 0.02 + std::sqrt(0.04 * 0.04 - offCenter * offCenter)};
+  scene->weights = {below, above};
+  Run run(scene, {.method = "rk4", .step = 1.0 / 60});
+  while (run.time() < 10) QCOMPARE(run.advance(), RunStatus::kRunning);
+  // Both lie on the floor, the upper one on the side it leaned to.
+  QVERIFY(std::abs(run.weight(1).position.y() - 0.02) < 1e-9);
+  QVERIFY(run.weight(1).position.x() - run.weight(0).position.x() >= 0.04 - 1e-9);
+}
+
+void HeapTest::wakesWhenHit() {
+  const auto poured = pouring(7, 0.5);
+  auto scene = std::make_shared<Scene>(*poured);
+  scene->room.height = 200;
+  Weight late;
+  late.radius = 0.04;
+  late.mass = 5;
+  late.position = {scene->room.width / 2, 190};  // arrives after about 6 s
+  scene->weights.push_back(late);
+  Run run(scene, {.method = "rk4", .step = 1.0 / 60});
+  const auto kineticOfTheHeap = [&] {
+    double sum = 0;
+    for (int i = 0; i < 7; ++i)
+      sum += scene->weights[i].mass * run.weight(i).velocity.squaredNorm() / 2;
+    return sum;
+  };
+  while (run.time() < 5) QCOMPARE(run.advance(), RunStatus::kRunning);
+  QCOMPARE(kineticOfTheHeap(), 0.0);
+  double most = 0;
+  while (run.time() < 8) {
+    QCOMPARE(run.advance(), RunStatus::kRunning);
+    most = std::max(most, kineticOfTheHeap());
+  }
+  QVERIFY(most > 1);
+}
+
+// Packing 0.7, nothing that takes energy: however dense, nothing may settle or stall.
+void HeapTest::keepsElasticCrowdsAlive() {
+  auto scene = std::make_shared<Scene>();
+  constexpr int kSide = 10;
+  constexpr double kRadius = 0.02;
+  const double cell = kRadius * std::sqrt(std::numbers::pi / 0.7);
+  scene->gravity = 0;
+  scene->airDensity = 0;
+  scene->room = {.width = kSide * cell, .height = kSide * cell, .restitution = 1, .friction = 0};
+  scene->restitution = 1;
+  std::mt19937 generator(2);
+  const auto speed = [&] { return static_cast<double>(generator()) / 2147483648.0 - 1; };
+  for (int i = 0; i < kSide * kSide; ++i) {
+    Weight weight;
+    weight.radius = kRadius;
+    weight.position = {(i % kSide + 0.5) * cell, (i / kSide + 0.5) * cell};
+    weight.velocity = {speed(), speed()};
+    scene->weights.push_back(weight);
+  }
+  Run run(scene, {.method = "rk4", .step = 1.0 / 60});
+  std::size_t impacts = 0;
+  while (run.time() < 2) {
+    QCOMPARE(run.advance(), RunStatus::kRunning);
+    impacts += run.stepEvents().size();
+  }
+  QVERIFY(impacts > 10000);
+  const double change = std::abs(run.energies().kinetic / run.startEnergy() - 1);
+  QVERIFY2(change < 1e-12 * static_cast<double>(impacts), qPrintable(QString::number(change)));
+  QVERIFY(largestOverlap(run) < 1e-10);
+}
+
+QTEST_GUILESS_MAIN(HeapTest)
+#include "heap_test.moc"
