@@ -42,7 +42,7 @@ QImage OpenGlRendererTest::imageOf(const ui::Drawing& drawing, const ui::Camera&
   target.bind();
   m_context.functions()->glViewport(0, 0, size.width(), size.height());
   ui::OpenGlRenderer::create()->paint(drawing, camera);
-  const QImage image = target.toImage().convertToFormat(QImage::Format_RGB32);
+  QImage image = target.toImage().convertToFormat(QImage::Format_RGB32);
   target.release();
   return image;
 }
