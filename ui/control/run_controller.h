@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QObject>
@@ -26,6 +27,10 @@ class RunController : public QObject {
   using Stopwatch = std::function<double()>;
 
   explicit RunController(Stopwatch stopwatch, QObject* parent = nullptr);
+
+  /// Bounds the work of a frame by another clock from now on; one that stands still does not
+  /// bound it.
+  void setStopwatch(Stopwatch stopwatch) { m_stopwatch = std::move(stopwatch); }
   /// With the computer's own steady clock.
   explicit RunController(QObject* parent = nullptr);
   ~RunController() override;

@@ -25,17 +25,18 @@ std::shared_ptr<const Scene> pouring(int count, double restitution) {
   const auto share = [&] { return static_cast<double>(generator()) / 4294967296.0; };
   constexpr double kCell = 0.1;
   const int columns = std::max(3, static_cast<int>(std::sqrt(count / 4.0)));
+  const int rows = count / columns + 1;
   scene->room = {.width = columns * kCell,
-                 .height = (count / columns + 1) * kCell + 0.5,
+                 .height = rows * kCell + 0.5,
                  .restitution = restitution,
                  .friction = 0.2};
   scene->restitution = restitution;
   for (int i = 0; i < count; ++i) {
+    const int column = i % columns, row = i / columns;
     Weight weight;
     weight.radius = 0.015 + 0.03 * share();
     weight.mass = 0.19 * std::pow(weight.radius / 0.02, 3);
-    weight.position = {(i % columns + 0.5) * kCell + 0.004 * (share() - 0.5),
-                       (i / columns + 0.5) * kCell + 0.1};
+    weight.position = {(column + 0.5) * kCell + 0.004 * (share() - 0.5), (row + 0.5) * kCell + 0.1};
     weight.velocity = {share() - 0.5, share() - 0.5};
     scene->weights.push_back(weight);
   }
@@ -154,9 +155,10 @@ void HeapTest::keepsElasticCrowdsAlive() {
   std::mt19937 generator(2);
   const auto speed = [&] { return static_cast<double>(generator()) / 2147483648.0 - 1; };
   for (int i = 0; i < kSide * kSide; ++i) {
+    const int column = i % kSide, row = i / kSide;
     Weight weight;
     weight.radius = kRadius;
-    weight.position = {(i % kSide + 0.5) * cell, (i / kSide + 0.5) * cell};
+    weight.position = {(column + 0.5) * cell, (row + 0.5) * cell};
     weight.velocity = {speed(), speed()};
     scene->weights.push_back(weight);
   }
