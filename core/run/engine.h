@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -178,5 +180,24 @@ class Engine {
   std::vector<double> m_eventMoments;  // of m_events, from the start of the step [s]
   bool m_diverged = false;
 };
+
+template <class Value>
+std::optional<double> Engine::polished(double s, double low, double high, double rate,
+                                       double tolerance, const Value& value) {
+  double previous = s, previousValue = value(s);
+  if (std::abs(previousValue) <= tolerance) return s;
+  double guess = std::clamp(s - previousValue / rate, low, high);
+  for (int i = 0; i < 10; ++i) {
+    const double here = value(guess);
+    if (std::abs(here) <= tolerance) return guess;
+    const double next = guess - here * (guess - previous) / (here - previousValue);
+    if (!(low <= next && next <= high)) return std::nullopt;
+    if (std::abs(next - guess) <= 1e-15 * high) return next;
+    previous = guess;
+    previousValue = here;
+    guess = next;
+  }
+  return std::nullopt;
+}
 
 }  // namespace core
