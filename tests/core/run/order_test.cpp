@@ -7,7 +7,6 @@
 #include "tests/support/observed_order.h"
 
 using tests::OrderMeasurement;
-using tests::ReferenceCase;
 
 namespace {
 
