@@ -28,7 +28,4 @@ using FlightState = StateArray<5, kLanes>;
 template <int kLanes = 1>
 using SlideState = StateArray<3, kLanes>;
 
-/// Weights that are stepped side by side.
-inline constexpr int kBatch = 16;
-
 }  // namespace core

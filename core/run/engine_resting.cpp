@@ -109,6 +109,15 @@ class Engine::Group {
     }
   }
 
+  /// Notes the members that some contact pushes now.
+  void markPushed() {
+    for (const RestingContact& contact : contacts) {
+      if (contact.push == 0) continue;
+      hitOrHeld[contact.a] = 1;
+      if (contact.b >= 0) hitOrHeld[contact.b] = 1;
+    }
+  }
+
   std::vector<int> members;              // indices of weights
   std::vector<RestingWeight> weights;    // in the order of members
   std::vector<Eigen::Vector2d> places;   // likewise [m]
@@ -214,11 +223,7 @@ void Engine::solveImpacts(Group& group, double s) {
   group.solve(kSolverTolerance);
   loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
   group.hitOrHeld.assign(group.members.size(), 0);
-  for (const RestingContact& contact : group.contacts) {
-    if (contact.push == 0) continue;
-    group.hitOrHeld[contact.a] = 1;
-    if (contact.b >= 0) group.hitOrHeld[contact.b] = 1;
-  }
+  group.markPushed();
   for (std::size_t k = 0; k < group.members.size(); ++k)
     group.unkicked[k] = group.weights[k].velocity;
 }
@@ -247,11 +252,7 @@ void Engine::solveSupport(Group& group, double s, double duration) {
   ContactSolver(group.weights, group.contacts).applyCarried();
   group.solve(kSolverTolerance);
   loseQuietly(s, 0, slipLoss(group.contacts, group.weights));
-  for (const RestingContact& contact : group.contacts) {
-    if (contact.push == 0) continue;
-    group.hitOrHeld[contact.a] = 1;
-    if (contact.b >= 0) group.hitOrHeld[contact.b] = 1;
-  }
+  group.markPushed();
 }
 
 void Engine::carryImpulses(const Group& group) {
