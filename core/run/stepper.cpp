@@ -6,6 +6,7 @@
 #include "core/motion/flight.h"
 #include "core/motion/slide.h"
 #include "core/motion/swing.h"
+#include "core/run/path_end.h"
 
 namespace core {
 namespace {
@@ -69,18 +70,9 @@ void Stepper::fill(const Body& body, Piece& piece) {
 }
 
 Entries Stepper::pathEndSlope(const Body& body, const Piece& piece) {
-  switch (m_method->path) {
-    case PathShape::kStraight:
-      return piece.beginSlope;
-    case PathShape::kParabola: {
-      const double duration = piece.end - piece.begin;
-      if (duration <= 0) return piece.beginSlope;
-      return 2 / duration * (piece.endState - piece.beginState) - piece.beginSlope;
-    }
-    case PathShape::kCubic:
-      break;
-  }
-  return slopeOn(body, piece, piece.endState);
+  return core::pathEndSlope(
+      m_method->path, [&](const Entries& state) { return slopeOn(body, piece, state); },
+      piece.beginState, piece.endState, piece.beginSlope, piece.end - piece.begin);
 }
 
 void Stepper::fillSettled(const Body& body, Piece& piece) {
