@@ -37,8 +37,8 @@ void Engine::beginOwnStep(const Upcoming& event) {
   goOn(event.weight, piece.end, piece.endState, piece.mode, piece.endState);
 }
 
-double Engine::polishTolerance() const {
-  if (method().path != PathShape::kPolynomial) return m_tolerance.gap / 4;
+double Engine::finestGap() const {
+  if (method().path != PathShape::kPolynomial) return polishTolerance();
   return 4e-16 * std::max(m_scene->room.width, m_scene->room.height);
 }
 
