@@ -81,9 +81,9 @@ class Engine {
   bool isCurrent(const Upcoming& event) const;
 
   // Pieces (engine_pieces.cpp).
+  void fillTogether();
   /// Gives the weight its way up to its piece's end, or as far as an adaptive method goes.
   /// @return  false, and m_diverged, where it cannot go on
-  void fillTogether();
   bool fill(int index);
   void beginOwnStep(const Upcoming& event);
   void scheduleOwnStep(int index);
