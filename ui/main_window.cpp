@@ -193,11 +193,11 @@ void MainWindow::connectPlayback() {
   connect(m_playback, &PlaybackBar::speedChosen, m_controller, &RunController::setSpeed);
 
   connect(m_ticker, &FrameTicker::ticked, m_controller, &RunController::passTime);
-  connect(m_controller, &RunController::playingChanged, m_ticker, &FrameTicker::setRunning);
+  connect(m_controller, &RunController::busyChanged, m_ticker, &FrameTicker::setRunning);
   connect(m_controller, &RunController::playingChanged, m_commands, &Commands::showPlaying);
   connect(m_controller, &RunController::speedChanged, m_playback, &PlaybackBar::showSpeed);
   connect(m_controller, &RunController::timeShown, this, &MainWindow::showTime);
-  connect(m_controller, &RunController::runStopped, this, &MainWindow::showStopped);
+  connect(m_controller, &RunController::runStatusChanged, this, &MainWindow::showStopped);
   connect(m_controller, &RunController::canCutChanged, m_commands->action(Command::kCut),
           &QAction::setEnabled);
   m_commands->action(Command::kCut)->setEnabled(m_controller->canCut());
