@@ -121,7 +121,7 @@ void RunController::computeUntil(double deadline) {
   if (time() < *m_goal && canGoOn()) return;
   const bool isNothingFound = m_wanted != nullptr;
   endTravel();
-  if (isNothingFound) emit nothingFound(time());
+  if (isNothingFound) emit nothingFound(m_start, time());
 }
 
 /// Whether the step that the lane has just taken holds the wanted event.
@@ -170,6 +170,18 @@ void RunController::goToNext(int run, EventFilter wanted, double atMost) {
     m_wantedRun = run;
   }
   travel(kFirstBudget);
+}
+
+void RunController::goToPrevious(int run, const EventFilter& wanted) {
+  setPlaying(false);
+  const auto events = recording(run).eventLog().events();
+  const auto earlier = events.first(static_cast<std::size_t>(
+      std::ranges::lower_bound(events, time(), {}, &core::Event::time) - events.begin()));
+  const auto found = std::find_if(earlier.rbegin(), earlier.rend(), wanted);
+  if (found != earlier.rend()) return goTo(found->time);
+  emit nothingFound(
+      events.empty() || recording(run).eventLog().forgotten() == 0 ? 0 : events.front().time,
+      time());
 }
 
 void RunController::play() {

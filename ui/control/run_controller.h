@@ -83,6 +83,9 @@ class RunController : public QObject {
   /// beyond `atMost` [s]; pauses first. Goes by what is recorded, and computes on where that
   /// ends.
   void goToNext(int run, EventFilter wanted, double atMost);
+  /// Goes back to the last recorded event of this run that is wanted, before the moment shown;
+  /// pauses first.
+  void goToPrevious(int run, const EventFilter& wanted);
 
  public slots:
   void play();
@@ -130,9 +133,8 @@ class RunController : public QObject {
   void busyChanged(bool busy);
   /// Travelling has begun, come on or ended.
   void travelled();
-  /// No event was found that goToNext() wanted.
-  /// @param until  how far the run was looked through [s]
-  void nothingFound(double until);
+  /// No event is wanted between these moments [s].
+  void nothingFound(double from, double until);
 
  private:
   double now() const { return m_stopwatch(); }
