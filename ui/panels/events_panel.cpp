@@ -84,6 +84,9 @@ void EventsPanel::buildFilters() {
   auto* layout = new QHBoxLayout(m_filters);
   layout->setContentsMargins(0, 0, 0, 0);
   for (const EventGroup group : kEventGroups) m_kinds->addItem(groupWords(group));
+  m_kinds->setObjectName("eventKinds");
+  m_weight->setObjectName("eventWeight");
+  m_runs->setObjectName("eventRun");
   m_kinds->setAccessibleName(tr("Kinds of events"));
   m_weight->setAccessibleName(tr("Weight whose events are listed"));
   m_weight->setToolTip(tr("Weight whose events are listed, counted from the left"));
