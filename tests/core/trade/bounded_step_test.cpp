@@ -61,9 +61,7 @@ void BoundedStepTest::findsTheLimitOfEuler() {
   const auto steps = core::largestBoundedSteps(thickAir(), 100);
   const BoundedStep& euler = named(*steps, "euler");
   QVERIFY(!euler.isUnlimited);
-  // The drift of a bounded run may reach all the energy there is only at 1/15 s, and two digits
-  // are kept.
-  QVERIFY2(*euler.step <= 1.0 / 15 && *euler.step > 0.06, qPrintable(QString::number(*euler.step)));
+  QCOMPARE(*euler.step, 0.033);  // 1/30 s down to two digits
 }
 
 void BoundedStepTest::tellsApartWhatBecomesOfARun() {
