@@ -70,7 +70,7 @@ std::optional<std::vector<BoundedStep>> largestBoundedSteps(
     const std::shared_ptr<const Scene>& scene, double until, const Progress& progress) {
   std::vector<const Method*> stepping;
   for (const Method& method : methods()) {
-    if (!isAdaptive(method)) stepping.push_back(&method);
+    if (!method.isAdaptive) stepping.push_back(&method);
   }
   WorkMeter meter(static_cast<double>(stepping.size()), progress);
   std::vector<BoundedStep> steps;

@@ -24,7 +24,7 @@ constexpr double kGuessedStep = 1e-3;        // [s] of an adaptive method
 
 /// About how much work a point is, in steps; only the proportions matter.
 double workOf(const Solver& solver) {
-  return 1 / (isAdaptive(*findMethod(solver.method)) ? kGuessedStep : solver.step);
+  return 1 / (findMethod(solver.method)->isAdaptive ? kGuessedStep : solver.step);
 }
 
 /// One run, looked at while it goes on.
@@ -54,7 +54,7 @@ class ObservedRun {
 
   MeasuredPoint point() const {
     MeasuredPoint point = m_point;
-    point.steps = m_run.stepCount();
+    point.steps = m_run.method().isAdaptive ? ownSteps() : m_run.stepCount();
     point.evaluations = m_run.slopeEvaluations();
     point.status = m_run.status();
     point.reached = m_run.time();
@@ -62,13 +62,24 @@ class ObservedRun {
   }
 
  private:
+  std::int64_t ownSteps() const {
+    return m_run.slopeEvaluations() / m_run.method().slopesPerStep /
+           std::max(1, m_run.weightCount());
+  }
+
   void look() {
     for (; m_next < m_trusted.course.count() && m_trusted.times.at(m_next) <= m_run.time();
          ++m_next) {
       compare(m_trusted.times.at(m_next));
+      // Of an adaptive method the run shows its common steps only, which are long.
+      if (m_run.method().isAdaptive) noteDrift(m_trusted.times.at(m_next));
     }
-    const double drift = m_run.energiesAt(std::min(m_run.time(), m_trusted.until())).numericalDrift;
-    m_point.maxEnergyDrift = std::max(m_point.maxEnergyDrift, std::abs(drift));
+    noteDrift(std::min(m_run.time(), m_trusted.until()));
+  }
+
+  void noteDrift(double time) {
+    const double drift = std::abs(m_run.energiesAt(time).numericalDrift);
+    m_point.maxEnergyDrift = std::max(m_point.maxEnergyDrift, drift);
   }
 
   void compare(double time) {

@@ -16,6 +16,8 @@ namespace core {
 /// What one method at one setting got right, and what that cost.
 struct MeasuredPoint {
   Solver solver;
+  /// Of an adaptive method: of its own steps a weight took so many, as the mean of all weights
+  /// and counted by slope evaluations.
   std::int64_t steps = 0;
   std::int64_t evaluations = 0;  ///< of slopes, of all weights together
   /// Largest distance of any weight from where it really is, at common moments [m].

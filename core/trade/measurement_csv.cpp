@@ -13,6 +13,7 @@ std::string outcomeOf(const MeasuredPoint& point) {
     case RunStatus::kDiverged:
       return "diverged at " + numberText(point.reached);
     case RunStatus::kEndless:
+    case RunStatus::kStalled:
       return "stopped at " + numberText(point.reached);
   }
   return "ok";

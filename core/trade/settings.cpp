@@ -5,24 +5,32 @@
 
 namespace core {
 
-bool isAdaptive(const Method& /*method*/) {
-  return false;
-}
+namespace {
+
+/// So long that it does not get in the way of an adaptive method's own steps [s].
+constexpr double kCommonStep = 0.5;
+
+}  // namespace
 
 double settingOf(const Solver& solver) {
   const Method* method = findMethod(solver.method);
-  return method != nullptr && isAdaptive(*method) ? solver.tolerance : solver.step;
+  return method != nullptr && method->isAdaptive ? solver.tolerance : solver.step;
 }
 
 Solver solverWith(const Method& method, double setting) {
   Solver solver{.method = std::string(method.id)};
-  (isAdaptive(method) ? solver.tolerance : solver.step) = setting;
+  if (method.isAdaptive) {
+    solver.step = kCommonStep;
+    solver.tolerance = setting;
+  } else {
+    solver.step = setting;
+  }
   return solver;
 }
 
 std::vector<double> measuredSettings(const Method& method) {
   std::vector<double> settings;
-  if (isAdaptive(method)) {
+  if (method.isAdaptive) {
     for (int power = 3; power <= 12; ++power) settings.push_back(1 / std::pow(10.0, power));
   } else {
     for (int power = 3; power <= 13; ++power) settings.push_back(std::ldexp(1, -power));

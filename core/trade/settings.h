@@ -7,14 +7,12 @@
 
 namespace core {
 
-/// Whether the method chooses its steps itself, to meet a tolerance.
-bool isAdaptive(const Method& method);
-
 /// The number that says how finely a solver works: its step [s], or its tolerance [-] where the
 /// method is adaptive.
 double settingOf(const Solver& solver);
 
-/// A solver of that method with that setting.
+/// A solver of that method with that setting. Where it is a tolerance, the step at whose
+/// multiples the run can be looked at is long.
 Solver solverWith(const Method& method, double setting);
 
 /// The settings a method is measured at, coarsest first: steps from 1/8 to 1/8192 s, each half

@@ -100,7 +100,7 @@ Scene withQuantity(Scene scene, MapQuantity quantity, double value) {
 std::optional<StabilityMap> stabilityMap(const Scene& scene, const Method& method,
                                          MapQuantity quantity, double until,
                                          const Progress& progress) {
-  assert(!isAdaptive(method));
+  assert(!method.isAdaptive);
   StabilityMap map{&method, quantity, until, powersOfTwo(-20, 0, 2), mappedValues(scene, quantity),
                    {}};
   map.cells.resize(map.steps.size() * map.values.size());

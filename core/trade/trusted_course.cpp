@@ -4,18 +4,19 @@
 #include <utility>
 #include <vector>
 
-#include "core/methods/method.h"
 #include "core/run/run.h"
+#include "core/trade/reference.h"
 
 namespace core {
 namespace {
 
+constexpr double kLookedAt = 1.0 / 8;  // [s]; places in between are as exact
+
 /// The reference solution, from one sample to the next.
 class SampledReference {
  public:
-  SampledReference(const std::shared_ptr<const Scene>& scene, double step)
-      : m_run(scene, {.method = std::string(methods().back().id), .step = step}),
-        m_positions(scene->weights.size()) {}
+  SampledReference(const std::shared_ptr<const Scene>& scene, double tolerance)
+      : m_run(scene, referenceSolver(kLookedAt, tolerance)), m_positions(scene->weights.size()) {}
 
   /// @return  false if it cannot get there
   bool reach(double time) {
@@ -39,7 +40,7 @@ std::optional<TrustedCourse> trustedCourse(const std::shared_ptr<const Scene>& s
                                            const Progress& progress) {
   const int weightCount = static_cast<int>(scene->weights.size());
   TrustedCourse trusted{SampleTimes(until, weightCount), SampledCourse(weightCount)};
-  SampledReference fine(scene, 1.0 / 16384), coarse(scene, 1.0 / 8192);
+  SampledReference fine(scene, kReferenceTolerance), coarse(scene, kCoarseReferenceTolerance);
   for (int i = 0; i < trusted.times.count(); ++i) {
     const double time = trusted.times.at(i);
     if (!fine.reach(time) || !coarse.reach(time)) break;

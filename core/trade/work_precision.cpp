@@ -45,7 +45,7 @@ std::optional<Reach> extrapolated(const Measurement& measurement, const MethodCu
 
 double effectiveStep(const Measurement& measurement, const MeasuredPoint& point) {
   const Method& method = *findMethod(point.solver.method);
-  if (!isAdaptive(method)) return point.solver.step;
+  if (!method.isAdaptive) return point.solver.step;
   return point.reached * measurement.weightCount * method.slopesPerStep /
          static_cast<double>(point.evaluations);
 }

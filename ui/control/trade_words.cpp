@@ -70,7 +70,7 @@ QString orderWords(const core::Measurement& measurement, const core::MethodCurve
 
 QString settingWords(const core::Solver& solver) {
   const double setting = core::settingOf(solver);
-  if (core::isAdaptive(*core::findMethod(solver.method))) return figure(setting);
+  if (core::findMethod(solver.method)->isAdaptive) return figure(setting);
   return Words::tr("%1 s").arg(fractionText(setting));
 }
 
@@ -78,7 +78,7 @@ QString reachWords(const core::Measurement& measurement, const core::MethodCurve
                    const core::Reach& reach) {
   const double computing = kNanoseconds * reach.nanosecondsPerSimulatedSecond * measurement.until;
   const QString cost = prefixedText(computing, QStringLiteral("s"));
-  return core::isAdaptive(*curve.method)
+  return curve.method->isAdaptive
              ? Words::tr("a tolerance of %1 and %2 of computing").arg(figure(reach.setting), cost)
              : Words::tr("a step of %1 and %2 of computing").arg(roundedStep(reach.setting), cost);
 }

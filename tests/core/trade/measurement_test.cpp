@@ -60,7 +60,7 @@ class MeasurementTest : public QObject {
 void MeasurementTest::observesTheOrderOfEachMethod_data() {
   QTest::addColumn<QString>("method");
   for (const core::Method& method : core::methods()) {
-    if (!core::isAdaptive(method)) {
+    if (!method.isAdaptive) {
       QTest::newRow(method.id.data()) << QString::fromUtf8(method.id.data());
     }
   }
@@ -120,7 +120,7 @@ void MeasurementTest::measuresTheDrift() {
 
 void MeasurementTest::costGrowsWithTheNumberOfSteps() {
   for (const MethodCurve& curve : ofThePendulum().curves) {
-    if (core::isAdaptive(*curve.method)) continue;
+    if (curve.method->isAdaptive) continue;
     const auto& points = curve.points;
     const double ratio = points.back().nanosecondsPerSimulatedSecond /
                          points[points.size() - 4].nanosecondsPerSimulatedSecond;
