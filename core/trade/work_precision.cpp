@@ -8,8 +8,9 @@
 namespace core {
 namespace {
 
-/// An error that many times the uncertainty it is measured with is known well enough for a fit.
-constexpr double kClear = 5;
+/// An error that many times the uncertainty is known well enough for a fit: the finer of the two
+/// reference solutions is better than the two agree.
+constexpr double kClear = 2;
 
 /// Between two values, straight on log–log paper.
 double between(double a, double b, double share) {

@@ -25,6 +25,7 @@ enum class Command {
   kReset,
   kSlower,
   kFaster,
+  kMeasure,
   kTrails,
   kFit,
   kZoomIn,

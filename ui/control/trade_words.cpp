@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "core/trade/bounded_step.h"
 #include "core/trade/work_precision.h"
 #include "ui/chart/figure_text.h"
 #include "ui/chart/log_scale.h"
@@ -81,6 +82,24 @@ QString reachWords(const core::Measurement& measurement, const core::MethodCurve
   return curve.method->isAdaptive
              ? Words::tr("a tolerance of %1 and %2 of computing").arg(figure(reach.setting), cost)
              : Words::tr("a step of %1 and %2 of computing").arg(roundedStep(reach.setting), cost);
+}
+
+QString boundedStepWords(const std::vector<core::BoundedStep>& steps, double until) {
+  QStringList limits;
+  for (const core::BoundedStep& step : steps) {
+    const QString name = methodWords(*step.method);
+    if (!step.step) {
+      limits << Words::tr("%1: none that was tried").arg(name);
+    } else if (step.isUnlimited) {
+      limits << Words::tr("%1: any").arg(name);
+    } else {
+      limits << Words::tr("%1: %2 s").arg(name, quantityText(*step.step));
+    }
+  }
+  return Words::tr(
+             "Largest step that stays bounded over %1 s, that is, makes less energy out of "
+             "nothing than the scene has to move with. %2.")
+      .arg(quantityText(until), limits.join(QStringLiteral("; ")));
 }
 
 QString foundWords(const core::Measurement& measurement, double error) {

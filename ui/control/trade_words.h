@@ -1,8 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include <QString>
 
 namespace core {
+struct BoundedStep;
 struct Measurement;
 struct MethodCurve;
 struct Reach;
@@ -24,6 +27,9 @@ QString settingWords(const core::Solver& solver);
 /// and 2 µs of computing". Two digits are kept.
 QString reachWords(const core::Measurement& measurement, const core::MethodCurve& curve,
                    const core::Reach& reach);
+
+/// The largest step at which each method stays bounded over that time [s], in a sentence.
+QString boundedStepWords(const std::vector<core::BoundedStep>& steps, double until);
 
 /// What was found, in a sentence: what each method needs to be right within `error` [m].
 QString foundWords(const core::Measurement& measurement, double error);
