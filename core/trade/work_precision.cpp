@@ -17,19 +17,16 @@ double between(double a, double b, double share) {
   return std::exp((1 - share) * std::log(a) + share * std::log(b));
 }
 
-/// @return  a share of 0 gives the point a, 1 the point b; others lie between or beyond
-Reach onLine(Reach::Source source, const MeasuredPoint& a, const MeasuredPoint& b, double share) {
-  return {source, between(settingOf(a.solver), settingOf(b.solver), share),
-          between(a.nanosecondsPerSimulatedSecond, b.nanosecondsPerSimulatedSecond, share)};
-}
-
 Reach interpolated(const MeasuredPoint& coarse, const MeasuredPoint& fine, double error) {
   const double share = std::log(coarse.maxPositionError / error) /
                        std::log(coarse.maxPositionError / fine.maxPositionError);
-  return onLine(Reach::Source::kInterpolated, coarse, fine, share);
+  return {Reach::Source::kInterpolated,
+          between(settingOf(coarse.solver), settingOf(fine.solver), share),
+          between(coarse.nanosecondsPerSimulatedSecond, fine.nanosecondsPerSimulatedSecond, share)};
 }
 
-/// Along the law, with a cost that grows as it did between the two finest points.
+/// Along the law, from the finest point on. Each step costs what it does there; how a tolerance
+/// goes with the step is taken from the two finest points.
 std::optional<Reach> extrapolated(const Measurement& measurement, const MethodCurve& curve,
                                   double error) {
   const std::optional<ErrorLaw> law = errorLawOf(measurement, curve);
@@ -38,8 +35,11 @@ std::optional<Reach> extrapolated(const Measurement& measurement, const MethodCu
   const MeasuredPoint& a = points[points.size() - 2];
   const MeasuredPoint& b = points.back();
   const double stepA = effectiveStep(measurement, a), stepB = effectiveStep(measurement, b);
-  const double share = std::log(stepA / law->stepFor(error)) / std::log(stepA / stepB);
-  return onLine(Reach::Source::kExtrapolated, a, b, share);
+  const double step = law->stepFor(error);
+  const double share = std::log(stepA / step) / std::log(stepA / stepB);
+  return Reach{Reach::Source::kExtrapolated,
+               between(settingOf(a.solver), settingOf(b.solver), share),
+               b.nanosecondsPerSimulatedSecond * stepB / step};
 }
 
 }  // namespace

@@ -24,12 +24,12 @@ std::vector<QPointF> probesOf(const std::vector<LabelledCurve>& curves) {
   return probes;
 }
 
-/// Right, left, and at the corners.
-std::array<QRectF, 6> placesBeside(const QPointF& point, const QSizeF& size, double gap) {
+/// Right, left, at the corners, below and above.
+std::array<QRectF, 8> placesBeside(const QPointF& point, const QSizeF& size, double gap) {
   const double w = size.width(), h = size.height();
   const auto at = [&](double dx, double dy) { return QRectF(point + QPointF(dx, dy), size); };
-  return {at(gap, -h / 2), at(-gap - w, -h / 2), at(gap, -h - gap),
-          at(gap, gap),    at(-gap - w, gap),    at(-gap - w, -h - gap)};
+  return {at(gap, -h / 2),   at(-gap - w, -h / 2),   at(gap, -h - gap), at(gap, gap),
+          at(-gap - w, gap), at(-gap - w, -h - gap), at(-w / 2, gap),   at(-w / 2, -gap - h)};
 }
 
 double badness(const QRectF& place, const QRectF& area, const std::vector<QPointF>& probes,

@@ -26,7 +26,7 @@ LogScale around(double lowest, double highest) {
 
 QString stepLabel(int power) {
   const double count = std::exp2(std::abs(power));
-  const QString text = QLocale().toString(count, 'f', 0);
+  const QString text = QString::number(count, 'f', 0);
   const auto translated = [](const char* words) {
     return QCoreApplication::translate("ui::LogScale", words);
   };
@@ -64,11 +64,11 @@ LogScale decadeScale(double lowest, double highest, const QString& symbol, int m
 }
 
 LogScale stepScale(double lowest, double highest, int most) {
-  const int first = static_cast<int>(std::ceil(std::log2(lowest) - kRounding));
-  const int last = static_cast<int>(std::floor(std::log2(highest) + kRounding));
+  LogScale scale = around(lowest, highest);
+  const int first = static_cast<int>(std::ceil(scale.lowest / kLog10Of2));
+  const int last = static_cast<int>(std::floor(scale.highest / kLog10Of2));
   int stride = 1;
   while ((last - first) / stride + 1 > most) ++stride;
-  LogScale scale = around(lowest, highest);
   for (int power = first; power <= last; ++power) {
     if (power % stride == 0) scale.ticks.push_back({power * kLog10Of2, stepLabel(power)});
   }

@@ -39,7 +39,7 @@ QColor colorOf(StabilityGrade grade) {
     case StabilityGrade::kRunaway:
       return QColor("#c2410c");
     case StabilityGrade::kDiverged:
-      return QColor("#4a0d2e");
+      return QColor("#8f1157");
   }
   return {};
 }

@@ -10,6 +10,7 @@
 
 #include "ui/chart/chart_file.h"
 #include "ui/chart/stability_grade.h"
+#include "ui/control/quantity_text.h"
 #include "ui/control/run_words.h"
 
 namespace ui {
@@ -28,6 +29,24 @@ double edgeBefore(const std::vector<double>& values, std::size_t index) {
 double edgeAfter(const std::vector<double>& values, std::size_t index) {
   return index + 1 < values.size() ? edgeBefore(values, index + 1)
                                    : 2 * std::log10(values[index]) - edgeBefore(values, index);
+}
+
+/// Every fourth length, each four times the one before.
+LogScale lengthScale(const std::vector<double>& lengths) {
+  LogScale scale;
+  for (std::size_t i = 0; i < lengths.size(); i += 4) {
+    scale.ticks.push_back({std::log10(lengths[i]), prefixedText(lengths[i], QStringLiteral("m"))});
+  }
+  return scale;
+}
+
+/// Powers of ten.
+LogScale densityScale(const std::vector<double>& densities) {
+  LogScale scale;
+  for (int power = -1; std::pow(10, power) <= densities.back(); ++power) {
+    scale.ticks.push_back({double(power), quantityText(std::pow(10, power))});
+  }
+  return scale;
 }
 
 std::vector<HeadingEntry> legend() {
@@ -144,9 +163,8 @@ void StabilityPlot::showScales() {
       around(stepScale(steps.front(), steps.back(), m_frame->horizontalLabels()), steps),
       tr("Step"));
   const bool isLength = m_map->quantity == core::MapQuantity::kRopeLength;
-  const QString unit = isLength ? QStringLiteral("m") : QStringLiteral("kg/m³");
-  m_frame->setVertical(around(decadeScale(values.front(), values.back(), unit, 8), values),
-                       isLength ? tr("Length of the longest rope") : tr("Air density"));
+  m_frame->setVertical(around(isLength ? lengthScale(values) : densityScale(values), values),
+                       isLength ? tr("Length of the longest rope") : tr("Air density (kg/m³)"));
 }
 
 void StabilityPlot::placeCells() {

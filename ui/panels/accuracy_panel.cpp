@@ -46,16 +46,19 @@ AccuracyPanel::AccuracyPanel(SceneEditor* editor, QWidget* parent)
       m_export(exportButton()),
       m_chart(new TradeView<WorkPrecisionPlot>),
       m_table(new MeasurementTable),
+      m_results(resultArea()),
       m_found(new QLabel) {
   buildControls();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(m_row);
-  layout->addWidget(resultArea(), 1);
+  layout->addWidget(m_results, 1);
   m_found->setWordWrap(true);
+  m_found->setAlignment(Qt::AlignTop);
   m_found->setContentsMargins(12, 6, 12, 10);
   layout->addWidget(m_found);
+  layout->addStretch();
   connect(m_chart->plot(), &WorkPrecisionPlot::pointPicked, this, &AccuracyPanel::picked);
   connect(m_table, &MeasurementTable::rowPicked, this, &AccuracyPanel::picked);
   connect(m_row, &TaskRow::startWanted, this, [this] { measure(m_time); });
@@ -109,9 +112,8 @@ QWidget* AccuracyPanel::resultArea() {
   m_chart->setToolTip(tr("Click a point to open it as a run"));
   splitter->addWidget(m_chart);
   splitter->addWidget(m_table);
-  splitter->setStretchFactor(0, 3);
-  splitter->setStretchFactor(1, 2);
-  splitter->setChildrenCollapsible(true);
+  constexpr int kChartShare = 600, kTableShare = 400;
+  splitter->setSizes({kChartShare, kTableShare});
   return splitter;
 }
 
@@ -134,6 +136,7 @@ void AccuracyPanel::show(std::shared_ptr<const core::Measurement> measurement,
   m_measurement = std::move(measurement);
   m_sceneName = sceneName;
   m_export->setEnabled(true);
+  m_results->show();
   m_chart->plot()->setTitle(sceneName);
   m_chart->plot()->setMeasurement(m_measurement);
   m_table->setMeasurement(*m_measurement);
@@ -145,6 +148,7 @@ void AccuracyPanel::forget() {
   m_task->cancel();
   m_measurement.reset();
   m_export->setEnabled(false);
+  m_results->hide();
   m_chart->plot()->setTitle({});
   m_chart->plot()->setMeasurement(nullptr);
   m_table->setMeasurement({});

@@ -62,6 +62,7 @@ class AccuracyPanel : public QWidget {
   QToolButton* m_export;
   TradeView<WorkPrecisionPlot>* m_chart;
   MeasurementTable* m_table;
+  QWidget* m_results;  // both, once there are any
   QLabel* m_found;
   double m_time = 10;  // [s]
   QString m_sceneName;

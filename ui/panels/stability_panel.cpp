@@ -56,7 +56,9 @@ StabilityPanel::StabilityPanel(SceneEditor* editor, QWidget* parent)
   m_chart->setAccessibleName(tr("Stability map"));
   m_steps->setWordWrap(true);
   m_steps->setContentsMargins(12, 6, 12, 10);
+  m_steps->setAlignment(Qt::AlignTop);
   layout->addWidget(m_steps);
+  layout->addStretch();
   connect(m_row, &TaskRow::startWanted, this, &StabilityPanel::compute);
   connect(editor, &SceneEditor::sceneReplaced, this, &StabilityPanel::forget);
   connect(editor, &SceneEditor::sceneChanged, this, &StabilityPanel::listQuantities);
@@ -121,6 +123,7 @@ void StabilityPanel::show(const Result& result) {
   m_map = std::make_shared<const core::StabilityMap>(*result.map);
   m_sceneName = result.sceneName;
   m_export->setEnabled(true);
+  m_chart->show();
   m_chart->plot()->setTitle(m_sceneName);
   m_chart->plot()->setMap(m_map);
   m_steps->setText(boundedStepWords(*result.steps, m_map->until));
@@ -131,6 +134,7 @@ void StabilityPanel::forget() {
   m_task->cancel();
   m_map.reset();
   m_export->setEnabled(false);
+  m_chart->hide();
   m_chart->plot()->setTitle({});
   m_chart->plot()->setMap(nullptr);
   m_steps->setText(

@@ -25,7 +25,7 @@ TaskRow::TaskRow(BackgroundTask* task, const QString& start, QWidget* parent)
   m_layout->setContentsMargins(12, 8, 12, 4);
   m_layout->setSpacing(10);
   m_button->setMinimumWidth(kButtonWidth);
-  m_button->setAutoDefault(false);
+  m_button->setDefault(true);
   m_progress->setMinimumWidth(kProgressWidth);
   m_progress->setAccessibleName(tr("Progress"));
   QSizePolicy keepsItsPlace = m_progress->sizePolicy();
