@@ -164,6 +164,10 @@ std::optional<double> Foresight::slackBetween(const Body& body, const Piece& pie
   // Below the pivot's height gravity alone keeps the rope taut.
   const double highest = std::abs(piece.at(from)[0]) + turnWithin(piece, from, to);
   if (highest < 0.5 * std::numbers::pi) return std::nullopt;
+  // Nor does a rope go slack that turns fast enough for any angle.
+  const auto [low, high] = std::ranges::minmax(piece.entry(2, from, to));
+  const double slowest = std::max({0.0, low, -high}) - piece.bend(from, to)[2];
+  if (slowest > 0 && body.length * slowest * slowest > m_gravity) return std::nullopt;
   const double middle = 0.5 * (from + to);
   if (isCoarse(body, piece, from, to) && from < middle && middle < to) {
     const std::optional<double> early = slackBetween(body, piece, from, middle);
