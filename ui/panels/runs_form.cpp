@@ -53,7 +53,7 @@ void RunsForm::addRun(int index) {
           new QLabel,
           new QComboBox,
           new QuantityField({.range = core::kStepRange, .arrowsDouble = true}),
-          new QuantityField({.range = core::kToleranceRange, .arrowsDouble = true}),
+          new QuantityField({.range = core::kToleranceRange, .arrowsTenfold = true}),
           {.method = std::string(core::methods().front().id)}};
   for (const core::Method& method : core::methods()) {
     row.method->addItem(methodWords(method), QString::fromUtf8(method.id.data()));
