@@ -43,11 +43,9 @@ class Stepper {
   /// Slope evaluations so far.
   std::int64_t evaluations() const { return m_evaluations; }
   void setEvaluations(std::int64_t count) { m_evaluations = count; }
+  /// Counts evaluations made elsewhere.
+  void addEvaluations(std::int64_t count) { m_evaluations += count; }
 
-  // For steps that are taken elsewhere.
-
-  /// Counts slope evaluations that were made elsewhere.
-  void count(std::int64_t evaluations) { m_evaluations += evaluations; }
   /// Calls `use` with the method's unit.
   /// @pre the method is in the table
   template <class Use>
