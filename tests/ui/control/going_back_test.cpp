@@ -284,7 +284,8 @@ void GoingBackTest::aGoalThatMovesOnIsFollowed() {
   for (int i = 0; i < 9000; ++i) {
     core::Weight weight;
     weight.radius = 1e-3;
-    weight.position = {0.01 + 0.013 * (i % 300), 0.5 + 0.013 * (i / 300)};
+    const int row = i / 300;
+    weight.position = {0.01 + 0.013 * (i % 300), 0.5 + 0.013 * row};
     scene->weights.push_back(weight);
   }
   scene->solvers = {{.method = "euler", .step = 1e-3}};
