@@ -15,14 +15,14 @@ namespace {
 
 using Bits = std::vector<double>;
 
-/// Six made-up weights under four runs with three different steps.
+/// Six made-up weights under four methods with three different steps.
 std::shared_ptr<core::Scene> fourRuns() {
   auto scene = std::make_shared<core::Scene>(tests::randomScene(1, 6));
   scene->cutTime.reset();
   scene->solvers = {{.method = "rk4", .step = 1.0 / 60},
                     {.method = "euler", .step = 1.0 / 60},
-                    {.method = "rk4", .step = 0.007},
-                    {.method = "euler", .step = 0.1}};
+                    {.method = "dopri5", .step = 0.007},
+                    {.method = "semi-implicit-euler", .step = 0.1}};
   return scene;
 }
 
