@@ -236,6 +236,9 @@ bool Engine::isFinite(int index) const {
   constexpr double kLargest = 1e150;
   // Nor where a weight is that crosses the room within the last digit of a time in the step.
   const double fastest = 1e15 * std::max(m_scene->room.width, m_scene->room.height) / m_solver.step;
+  // Nor what a rope does that turns so often that looking at every turn would take minutes.
+  constexpr double kMostTurn = 1e5;
+  if (turnWithin(piece, piece.begin, piece.end) > kMostTurn) return false;
   const double scale = isTethered(piece.mode) ? m_bodies[index].length : 1;
   return (piece.endState.abs() < kLargest).all() && (piece.endSlope.abs() < kLargest).all() &&
          (piece.beginSlope.abs() < kLargest).all() &&
