@@ -144,7 +144,7 @@ void EventsPanel::follow() {
   const double time = m_controller->time();
   const QModelIndex current = m_view->currentIndex();
   // Of several at one moment the one the user chose.
-  if (current.isValid() && m_table->event(current.row()).time == time) return;
+  if (current.isValid() && m_table->eventAt(current.row()).time == time) return;
   const int row = m_table->rowAt(time);
   if (row == current.row()) return;
   m_view->setCurrentIndex(m_table->index(row, EventTable::kTime));
@@ -155,7 +155,7 @@ void EventsPanel::goToCurrent() {
   const QModelIndex current = m_view->currentIndex();
   if (m_isFollowing || !current.isValid()) return;
   m_controller->pause();
-  m_controller->showTime(m_table->event(current.row()).time);
+  m_controller->showTime(m_table->eventAt(current.row()).time);
 }
 
 /// The chosen rows, or all where no more than the row that follows time is chosen.
