@@ -97,10 +97,12 @@ class GoingBackTest : public QObject {
   void staysWithinTheRecord();
   void keepsPlayingWhenAnotherMomentIsShown();
   void aStoppedRunGoesOnAtAnEarlierMoment();
+  void stoppedRunsDoNotHoldUpTheWayAhead();
   void longWaysGoOnInLaterFrames();
   void aGoalThatMovesOnIsFollowed();
   void computesOnToALaterMoment();
   void goesToTheNextWantedEvent();
+  void isPastAnEventAtTheMomentShown();
   void saysWhenThereIsNoSuchEvent();
 };
 
@@ -249,6 +251,26 @@ void GoingBackTest::aStoppedRunGoesOnAtAnEarlierMoment() {
   QCOMPARE(changed.count(), 2);
 }
 
+void GoingBackTest::stoppedRunsDoNotHoldUpTheWayAhead() {
+  auto scene = thickAir();
+  scene->solvers.push_back({.method = "euler", .step = 0.04});
+  double perLook = 0;
+  RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
+  controller.setScene(scene);
+  playUntil(controller, 2);
+  QVERIFY(controller.run(0).time() < 2 && controller.run(2).time() < 2);
+  controller.showTime(0);
+  perLook = 1;  // one step a call
+  std::vector<double> moments;
+  connect(&controller, &RunController::timeShown, this,
+          [&](double time) { moments.push_back(time); });
+  controller.showTime(2);
+  while (controller.isTravelling()) controller.passTime(0.016);
+  for (const double moment : moments) QCOMPARE(moment, 2.0);
+  QCOMPARE(controller.run(0).status(), core::RunStatus::kDiverged);
+  QCOMPARE(controller.run(2).status(), core::RunStatus::kDiverged);
+}
+
 void GoingBackTest::longWaysGoOnInLaterFrames() {
   double perLook = 0;
   RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
@@ -346,6 +368,22 @@ void GoingBackTest::goesToTheNextWantedEvent() {
     controller.goToPrevious(0, isImpact);
     QCOMPARE(controller.time(), impacts[i]);
   }
+}
+
+void GoingBackTest::isPastAnEventAtTheMomentShown() {
+  RunController controller(ticking(0));
+  auto scene = fourRuns();
+  scene->solvers.resize(2);  // of one step, so that both are cut at once
+  controller.setScene(scene);
+  playUntil(controller, 0.5);
+  controller.stepOnce();
+  controller.cutAll();
+  const double cut = controller.time();
+  const auto isCut = [](const core::Event& event) { return event.kind == core::EventKind::kCut; };
+  controller.goToNext(0, isCut, 1);
+  QCOMPARE(controller.time(), 1.0);
+  controller.goToPrevious(0, isCut);
+  QCOMPARE(controller.time(), cut);
 }
 
 void GoingBackTest::saysWhenThereIsNoSuchEvent() {
