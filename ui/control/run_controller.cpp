@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60;         // s
 constexpr double kPlayingBudget = 0.012;    // s of work per frame: leaves 4 ms for drawing
+constexpr double kSlowBudget = 0.05;        // s, at most where drawing takes long
 constexpr double kTravellingBudget = 0.03;  // s: keys and mouse are heard in between
 constexpr double kFirstBudget = 0.1;        // s: what takes less counts as at once
 constexpr double kShownEvery = 0.15;        // s: on the way drawing is not what time is for
@@ -60,7 +61,8 @@ void RunController::passTime(double elapsed) {
 
 void RunController::playOn(double elapsed) {
   const double target = m_clock.targetAfter(elapsed);
-  const double deadline = now() + kPlayingBudget;
+  // Half of the time where frames come late anyway: drawing must not starve the runs.
+  const double deadline = now() + std::clamp(elapsed / 2, kPlayingBudget, kSlowBudget);
   m_lanes.advanceTo(target, [&](const Lane&) { return now() <= deadline; });
   m_clock.reached(m_lanes.timeReached(target));
   emit timeShown(time());
