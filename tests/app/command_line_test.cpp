@@ -170,9 +170,10 @@ void CommandLineTest::helpNamesEveryCallAndOption() {
   const Outcome outcome = run({"--help"});
   QCOMPARE(outcome.status, 0);
   QCOMPARE(outcome.error, QByteArray());
-  for (const char* word : {"angrycuts [SCENE]", "scenes", "--export", "simulate", "--method",
-                           "--step", "--tolerance", "--until", "--cut", "--sample", "--trajectory",
-                           "--energy", "--events", "--chart", "--version"}) {
+  for (const char* word :
+       {"angrycuts [SCENE]", "scenes", "--export", "simulate", "measure", "--csv", "--method",
+        "--step", "--tolerance", "--until", "--cut", "--sample", "--trajectory", "--energy",
+        "--events", "--chart", "--version"}) {
     QVERIFY2(outcome.output.contains(word), word);
   }
   QCOMPARE(run({"simulate", "--help"}).output, outcome.output);
@@ -396,7 +397,7 @@ void CommandLineTest::refusesCalls_data() {
   const auto row = [](const char* name, const char* arguments, const char* error) {
     QTest::newRow(name) << QString(arguments).split(' ') << QByteArray(error);
   };
-  row("unknown command", "measure one-pendulum", "unknown command \"measure\"");
+  row("unknown command", "animate one-pendulum", "unknown command \"animate\"");
   row("unknown scene", "simulate no-such", "no-such: no file or built-in scene of that name");
   row("unknown scene for the window", "no-such", "no-such: no file or built-in scene of that name");
   row("no scene", "simulate", "simulate: a scene must be named");

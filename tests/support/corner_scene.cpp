@@ -1,9 +1,13 @@
 #include "tests/support/corner_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <numbers>
 
+#include "core/run/run.h"
 #include "core/scene/scene_limits.h"
+#include "tests/support/processor_time.h"
 
 namespace tests {
 namespace {
@@ -27,6 +31,34 @@ class Choices {
  private:
   int m_bits;
 };
+
+constexpr double kLongest = 60;  // [s] of processor time
+
+/// How far the discs reach into a wall or into each other at most [m].
+double largestOverlap(const core::Run& run) {
+  const core::Scene& scene = run.scene();
+  double largest = 0;
+  for (int i = 0; i < run.weightCount(); ++i) {
+    const Eigen::Vector2d place = run.weight(i).position;
+    const double radius = scene.weights[i].radius;
+    const Eigen::Vector2d room(scene.room.width, scene.room.height);
+    largest = std::max({largest, radius - place.minCoeff(), radius - (room - place).minCoeff()});
+    for (int j = 0; j < i; ++j) {
+      const double distance = (run.weight(j).position - place).norm();
+      largest = std::max(largest, radius + scene.weights[j].radius - distance);
+    }
+  }
+  return largest;
+}
+
+bool isFinite(const core::Run& run) {
+  for (int i = 0; i < run.weightCount(); ++i) {
+    const core::WeightState state = run.weight(i);
+    if (!state.position.allFinite() || !state.velocity.allFinite()) return false;
+  }
+  const core::Energies energies = run.energies();
+  return std::isfinite(energies.mechanical()) && std::isfinite(energies.numericalDrift);
+}
 
 }  // namespace
 
@@ -52,10 +84,8 @@ core::Scene cornerScene(int corner) {
 
   Weight onRope = model, onRod = model, fromWest = model, fromEast = model, lying = model,
          falling = model;
-  onRope.rope = Rope{.pivot = {0.25 * size, 0.8 * size},
-                     .length = length,
-                     .angle = 1,
-                     .angularVelocity = turning};
+  onRope.rope = Rope{
+      .pivot = {0.25 * size, 0.8 * size}, .length = length, .angle = 1, .angularVelocity = turning};
   onRod.rope = Rope{.pivot = {0.75 * size, 0.8 * size},
                     .length = length,
                     .angle = std::numbers::pi,
@@ -71,6 +101,21 @@ core::Scene cornerScene(int corner) {
   falling.position = {0.5 * size + 0.3 * model.radius, 0.2 * size};
   scene.weights = {onRope, onRod, fromWest, fromEast, lying, falling};
   return scene;
+}
+
+std::string faultAtCorner(int corner, const core::Solver& solver, int steps) {
+  const auto scene = std::make_shared<const core::Scene>(cornerScene(corner));
+  const std::vector<core::Problem> problems = core::problemsIn(*scene);
+  if (!problems.empty()) return core::messageFor(problems.front());
+  const double start = processorTime();
+  core::Run run(scene, solver);
+  for (int i = 0; i < steps && run.advance() == core::RunStatus::kRunning; ++i)
+    if (processorTime() - start > kLongest) return "takes too long";
+  if (!isFinite(run)) return "numbers that are not finite";
+  const double overlap = largestOverlap(run);
+  const double allowed = 1e-6 + 1e-11 * scene->room.width;
+  if (overlap > allowed) return "overlap of " + core::numberText(overlap) + " m";
+  return {};
 }
 
 }  // namespace tests

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "core/scene/scene.h"
 
 namespace tests {
@@ -17,5 +19,13 @@ constexpr int kCornerChoices = 12;
 /// @param corner  0 to 2^kCornerChoices − 1
 /// @post problemsIn() finds nothing wrong with it
 core::Scene cornerScene(int corner);
+
+/// Takes up to `steps` steps of the scene at that corner and looks whether every number stays
+/// finite, every weight in the room and apart from the others (to 10⁻⁶ m, or what rounding
+/// leaves of a place in the largest rooms), whether the run goes on or ends with a status that
+/// says why, and whether it takes less than a minute of processor time.
+///
+/// @return  what is wrong, in words; empty if nothing is
+std::string faultAtCorner(int corner, const core::Solver& solver, int steps);
 
 }  // namespace tests
