@@ -108,3 +108,9 @@ template <class Operation>
 struct Eigen::ScalarBinaryOpTraits<core::Lanes, double, Operation> {
   using ReturnType = core::Lanes;
 };
+
+/// Lanes are aligned as they need it already, more strictly than Eigen would ask for.
+template <int kSize>
+struct Eigen::internal::compute_default_alignment<core::Lanes, kSize> {
+  enum { value = 0 };  // NOLINT(readability-identifier-naming): Eigen's name
+};

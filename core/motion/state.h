@@ -1,7 +1,5 @@
 #pragma once
 
-#include <type_traits>
-
 #include <Eigen/Core>
 
 #include "core/motion/lanes.h"
@@ -10,13 +8,8 @@ namespace core {
 
 /// State of one weight (Number = double) or of a batch of weights side by side
 /// (Number = Lanes, so that each entry of a batch is a vector register or a few).
-///
-/// Lanes bring an alignment of their own, which is more than Eigen would ask for.
 template <int kEntries, class Number = double>
-using StateArray =
-    Eigen::Array<Number, 1, kEntries,
-                 Eigen::RowMajor |
-                     (std::is_same_v<Number, Lanes> ? Eigen::DontAlign : Eigen::AutoAlign)>;
+using StateArray = Eigen::Array<Number, 1, kEntries>;
 
 /// One weight's state out of a batch.
 template <int kEntries>

@@ -39,9 +39,7 @@ class BatchStepper {
     Lanes mass = 1, length = 1, drag = 0;
     StateArray<kEntries, Lanes> begin, end, beginSlope, endSlope;
 
-    Block() {
-      for (int i = 0; i < kEntries; ++i) begin[i] = 0;
-    }
+    Block() { begin.fill(0); }
     /// @return  whether it is full
     bool add(const Body& body, Piece& piece, const StateArray<kEntries>& state);
   };
