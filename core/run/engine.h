@@ -94,6 +94,7 @@ class Engine {
                 const Eigen::Vector2d& normal);
   void logRest(int index, double s, const Entries& state);
   bool joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal);
+  bool meetsTooOften(int a, int b);
   void hitWall(const Upcoming& event);
   void hitWallInFlight(int index, double s, const Entries& before, const Upcoming& event);
   void hitWallOnRope(int index, double s, const Entries& before, const Upcoming& event);
@@ -118,7 +119,7 @@ class Engine {
   std::optional<double> polished(double s, double low, double high, double rate, double tolerance,
                                  const Value& value);
 
-  // Groups in lasting contact (engine_resting.cpp).
+  // Groups in lasting contact (engine_resting.cpp, engine_spreading.cpp).
   class Group;
   struct QuietLoss {
     double moment;  // from the start of the step [s]
@@ -132,6 +133,7 @@ class Engine {
   void fallAsleep(const Group& group, double s, double duration);
   void releaseOrKeep(const Group& group, double s, bool foresee);
   void spread(double s, const std::vector<int>& seeds, double approach);
+  bool expandHit(Group& group, int seeds, double tolerance);
   void moveSpread(const Group& group, double s);
   bool isSupported(int index) const;
   Entries withVelocity(int index, Mode mode, const Entries& state,

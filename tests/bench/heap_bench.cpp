@@ -49,7 +49,8 @@ int main(int count, char** arguments) {
   std::vector<int> counts;
   for (int i = 1; i < count; ++i) counts.push_back(std::atoi(arguments[i]));
   if (counts.empty()) counts = {7, 50, 200, 1000};
-  std::printf("weights     e  overlap, m  kinetic, J  highest/start   drift, %%  events/step   CPU, s\n");
+  std::printf(
+      "weights     e  overlap, m  kinetic, J  highest/start   drift, %%  events/step   CPU, s\n");
   bool allHold = true;
   for (const int weights : counts)
     for (const double restitution : {0.5, 0.8}) allHold = runRow(weights, restitution) && allHold;

@@ -18,11 +18,11 @@ double largestOverlap(const core::Run& run);
 
 /// What became of a heap, for the bounds it must keep.
 struct HeapFigures {
-  bool finished = true;       ///< no step was given up
-  double overlap = 0;         ///< largest after any step [m]
-  double kinetic = 0;         ///< at the end [J]
-  double highestEnergy = 0;   ///< mechanical, after any step, as a share of the start's
-  double drift = 0;           ///< energy unaccounted for at the end, as a share of the start's
+  bool finished = true;        ///< no step was given up
+  double overlap = 0;          ///< largest after any step [m]
+  double kinetic = 0;          ///< at the end [J]
+  double highestEnergy = 0;    ///< mechanical, after any step, as a share of the start's
+  double drift = 0;            ///< energy unaccounted for at the end, as a share of the start's
   std::size_t mostEvents = 0;  ///< listed in one step
 };
 
