@@ -23,8 +23,8 @@ constexpr ContactGoal kSupportGoal{.tolerance = 1e-6, .mostSweeps = 600};
 // for this many times √(2 r / g), the time in which what stands on a point leaves it by a
 // factor of e: one that sets out to roll off another from 10⁻⁸ r off its top is faster by
 // then.
-constexpr double kStillSpeed = 1e-4;
-constexpr double kStillTimes = 10;
+constexpr double kStillSpeed = 1e-3;
+constexpr double kStillTimes = 13;
 
 }  // namespace
 
