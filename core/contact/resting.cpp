@@ -1,7 +1,9 @@
 #include "core/contact/resting.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "core/contact/contact_problem.h"
+#include "core/contact/contact_sweeps.h"
 
 namespace core {
 namespace {
@@ -10,10 +12,9 @@ Eigen::Vector2d tangentOf(const RestingContact& contact) {
   return {-contact.normal.y(), contact.normal.x()};
 }
 
-/// What an impulse of 1 N s along a unit vector does to the weight's velocity [m/s].
-Eigen::Vector2d changeOf(const RestingWeight& weight, const Eigen::Vector2d& direction) {
-  if (weight.track.isZero(0)) return direction / weight.mass;
-  return weight.track.dot(direction) / weight.mass * weight.track;
+/// What an impulse [N s] does to the weight's velocity [m/s].
+Eigen::Vector2d velocityChange(const RestingWeight& weight, const Eigen::Vector2d& impulse) {
+  return freePart(weight, impulse) / weight.mass;
 }
 
 Eigen::Vector2d relativeVelocity(const RestingContact& contact,
@@ -24,92 +25,23 @@ Eigen::Vector2d relativeVelocity(const RestingContact& contact,
 
 }  // namespace
 
-ContactSolver::ContactSolver(std::vector<RestingWeight>& weights,
-                             std::vector<RestingContact>& contacts)
-    : m_weights(weights), m_contacts(contacts) {
-  m_responses.reserve(contacts.size());
+bool solveContacts(std::span<RestingWeight> weights, std::span<RestingContact> contacts,
+                   double duration, const ContactGoal& goal) {
+  ContactProblem problem(weights, contacts, duration);
+  const bool solved = solveBySweeps(problem, goal);
+  problem.store(weights, contacts);
+  return solved;
+}
+
+void applyCarried(std::span<RestingWeight> weights, std::span<const RestingContact> contacts) {
   for (const RestingContact& contact : contacts) {
-    Response response;
-    response.normalA = changeOf(weights[contact.a], contact.normal);
-    response.tangentA = changeOf(weights[contact.a], tangentOf(contact));
-    response.normalB.setZero();
-    if (contact.b >= 0) response.normalB = -changeOf(weights[contact.b], contact.normal);
-    response.compliance = (response.normalA - response.normalB).dot(contact.normal);
-    m_responses.push_back(response);
+    RestingWeight& a = weights[contact.a];
+    a.velocity += velocityChange(a, contact.push * contact.normal);
+    a.velocity += velocityChange(a, contact.drag * tangentOf(contact));
+    if (contact.b < 0) continue;
+    RestingWeight& b = weights[contact.b];
+    b.velocity -= velocityChange(b, contact.push * contact.normal);
   }
-}
-
-void ContactSolver::exchange(std::size_t index, double pushed, double dragged) {
-  const RestingContact& contact = m_contacts[index];
-  const Response& response = m_responses[index];
-  m_weights[contact.a].velocity += pushed * response.normalA + dragged * response.tangentA;
-  if (contact.b >= 0) m_weights[contact.b].velocity += pushed * response.normalB;
-}
-
-void ContactSolver::applyCarried() {
-  for (std::size_t i = 0; i < m_contacts.size(); ++i)
-    exchange(i, m_contacts[i].push, m_contacts[i].drag);
-}
-
-double ContactSolver::settle(std::size_t index, double duration) {
-  RestingContact& contact = m_contacts[index];
-  const Response& response = m_responses[index];
-  if (response.compliance <= 0) return 0;
-  RestingWeight& a = m_weights[contact.a];
-  const double closing =
-      relativeVelocity(contact, m_weights).dot(contact.normal) + contact.gap / duration;
-  const double pushed = std::max(0.0, contact.push - closing / response.compliance);
-  const double change = pushed - contact.push;
-  contact.push = pushed;
-  if (change != 0) exchange(index, change, 0);
-  if (contact.friction <= 0) return std::abs(change) * response.compliance;
-  const double slip = a.velocity.dot(tangentOf(contact));
-  const double most = contact.friction * contact.push;
-  const double dragged = std::clamp(contact.drag - slip * a.mass, -most, most);
-  const double dragChange = dragged - contact.drag;
-  contact.drag = dragged;
-  if (dragChange != 0) exchange(index, 0, dragChange);
-  return std::max(std::abs(change) * response.compliance, std::abs(dragChange) / a.mass);
-}
-
-bool ContactSolver::solve(double duration, double tolerance, int mostSweeps) {
-  struct Impulse {
-    double push = 0;
-    double drag = 0;
-  };
-  std::vector<Impulse> direction(m_contacts.size());
-  std::vector<Impulse> before(m_contacts.size());
-  double lastSquare = 0;
-  for (int sweep = 0; sweep < mostSweeps; ++sweep) {
-    double largest = 0, square = 0;
-    for (std::size_t i = 0; i < m_contacts.size(); ++i) {
-      RestingContact& contact = m_contacts[i];
-      before[i] = {contact.push, contact.drag};
-      largest = std::max(largest, settle(i, duration));
-      const double pushed = contact.push - before[i].push, dragged = contact.drag - before[i].drag;
-      square += m_responses[i].compliance * (pushed * pushed + dragged * dragged);
-    }
-    if (largest <= tolerance) return true;
-    if (sweep + 1 == mostSweeps) break;  // what is further along a direction may not be a push
-    const double share = lastSquare > 0 ? square / lastSquare : 2;
-    lastSquare = square;
-    // A growing residual means that another set of contacts pushes now: start anew.
-    const bool restarts = share > 1;
-    for (std::size_t i = 0; i < m_contacts.size(); ++i) {
-      RestingContact& contact = m_contacts[i];
-      const double pushed = contact.push - before[i].push, dragged = contact.drag - before[i].drag;
-      if (restarts) {
-        direction[i] = {};
-        continue;
-      }
-      const Impulse further{share * direction[i].push, share * direction[i].drag};
-      direction[i] = {further.push + pushed, further.drag + dragged};
-      contact.push += further.push;
-      contact.drag += further.drag;
-      exchange(i, further.push, further.drag);
-    }
-  }
-  return false;
 }
 
 double inelasticLoss(std::span<const RestingContact> contacts,
@@ -122,7 +54,7 @@ double inelasticLoss(std::span<const RestingContact> contacts,
     if (contact.b >= 0) mean -= before[contact.b] + after[contact.b].velocity;
     loss -= 0.5 * (contact.push * contact.normal + contact.drag * tangentOf(contact)).dot(mean);
   }
-  return loss;
+  return std::max(0.0, loss);  // rounding may leave −10⁻¹⁵ of nothing
 }
 
 double slipLoss(std::span<const RestingContact> contacts, std::span<const RestingWeight> after) {

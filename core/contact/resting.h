@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -26,7 +25,14 @@ struct RestingContact {
   double drag = 0;               ///< impulse along (−n_y, n_x) so far [N s], |drag| ≤ μ push
 };
 
-/// Contact impulses that keep weights apart for a stretch of time, found together.
+/// Where the search for contact impulses ends.
+struct ContactGoal {
+  double tolerance;  ///< no contact would change its weights' approach by more [m/s], > 0
+  int mostSweeps;    ///< over all contacts, ≥ 1: a bound on the work
+};
+
+/// Finds the contact impulses that keep weights apart for a stretch of time, all together,
+/// and gives them to the weights.
 ///
 /// At each contact either the impulse is zero or the gap is used up at the end of the
 /// stretch: push ≥ 0, v_n + gap/duration ≥ 0, and one of the two is zero. As weights that
@@ -34,44 +40,17 @@ struct RestingContact {
 /// of −gap/duration, none overlaps on its way, touching or not. On surfaces with friction
 /// the tangential impulse stops the slip or is μ push.
 ///
-/// Projected Gauss–Seidel sweeps, with conjugate directions laid over them: a plain sweep
-/// carries a push one layer further, so deep piles would need thousands.
-/// Source: Jean, The non-smooth contact dynamics method, CMAME 177 (1999), §4;
-/// Silcowitz, Niebe & Erleben, A nonsmooth nonlinear conjugate gradient method for
-/// interactive contact force problems, The Visual Computer 26 (2010), §3.
-class ContactSolver {
- public:
-  /// @param weights   indices in the contacts refer to these; must outlive the solver
-  ContactSolver(std::vector<RestingWeight>& weights, std::vector<RestingContact>& contacts);
+/// The search starts from the impulses the contacts carry, which the weights' velocities
+/// must hold already.
+///
+/// @param weights   indices in the contacts refer to these
+/// @param duration  of the stretch [s], > 0
+/// @return          false if the bound on the work ended it
+bool solveContacts(std::span<RestingWeight> weights, std::span<RestingContact> contacts,
+                   double duration, const ContactGoal& goal);
 
-  /// Gives the impulses the contacts already carry to the weights (warm start).
-  void applyCarried();
-
-  /// Solves until no contact would change its weights' approach by more than `tolerance`.
-  ///
-  /// @param duration    of the stretch [s], > 0
-  /// @param tolerance   [m/s], > 0
-  /// @param mostSweeps  over all contacts, ≥ 1: a bound on the work
-  /// @return            false if the bound ended it
-  bool solve(double duration, double tolerance, int mostSweeps);
-
- private:
-  /// What one N s along the normal or the tangent does to a contact's weights [m/s].
-  struct Response {
-    Eigen::Vector2d normalA;
-    Eigen::Vector2d normalB;
-    Eigen::Vector2d tangentA;
-    double compliance;  // of the approach [1/kg]
-  };
-
-  /// Looks at one contact. @return by how much the approach changed [m/s]
-  double settle(std::size_t index, double duration);
-  void exchange(std::size_t index, double push, double drag);
-
-  std::vector<RestingWeight>& m_weights;
-  std::vector<RestingContact>& m_contacts;
-  std::vector<Response> m_responses;  // of contacts
-};
+/// Gives the impulses the contacts carry to the weights.
+void applyCarried(std::span<RestingWeight> weights, std::span<const RestingContact> contacts);
 
 /// Heat of solved contacts, for weights that had the velocities `before` [J], ≥ 0 in sum:
 /// −Σ push (v_n before + v_n after)/2, the work that inelastic contacts take.

@@ -103,6 +103,7 @@ class Engine {
                 const Eigen::Vector2d& normal);
   void logRest(int index, double s, const Entries& state);
   bool joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal);
+  bool meetsTooOften(int a, int b);
   void hitWall(const Upcoming& event);
   void hitWallInFlight(int index, double s, const Entries& before, const Upcoming& event);
   void hitWallOnRope(int index, double s, const Entries& before, const Upcoming& event);
@@ -133,7 +134,7 @@ class Engine {
   /// Below that gap polishing ends [m]: the reference goes on to the last digit of places.
   double finestGap() const;
 
-  // Groups in lasting contact (engine_resting.cpp).
+  // Groups in lasting contact (engine_resting.cpp, engine_spreading.cpp).
   class Group;
   struct QuietLoss {
     double moment;  // from the start of the step [s]
@@ -147,6 +148,7 @@ class Engine {
   void fallAsleep(const Group& group, double s, double duration);
   void releaseOrKeep(const Group& group, double s, bool foresee);
   void spread(double s, const std::vector<int>& seeds, double approach);
+  bool expandHit(Group& group, int seeds, double tolerance);
   void moveSpread(const Group& group, double s);
   bool isSupported(int index) const;
   Entries withVelocity(int index, Mode mode, const Entries& state,

@@ -35,6 +35,9 @@ constexpr double kLastRise = 1e-6;
 /// So is, for weights that do not only bounce elastically, the contact after this many within
 /// 1/60 s or a step: between weights in a heap the series of bounces need not end.
 constexpr int kMostMeetings = 64;
+/// The same for a weight that meets one of a group: bounces off it that do not end until the
+/// forces in the group are found anew would be fewer.
+constexpr int kMostMeetingsWithGroup = 8;
 /// So is one that would be over within this share of the step, whatever the restitution.
 constexpr double kLastDuration = 1e-7;
 
@@ -246,9 +249,7 @@ bool Engine::joinAtRest(const Upcoming& event, double approach, const Eigen::Vec
   // A bounce off one that lies, if it is over in no time: else the two share that time out.
   if (settled && 2 * approach < m_scene->gravity * m_solver.step * kLastDuration) return true;
   if (m_scene->restitution >= 1 && m_scene->room.restitution >= 1) return false;
-  const int meetings = std::max(++m_moving[a].meetings, ++m_moving[b].meetings);
-  const double steps = std::max(1.0, m_solver.step * 60);
-  if (meetings > kMostMeetings * steps) return true;
+  if (meetsTooOften(a, b)) return true;
   // Between two solves a settled weight moves with the velocity a whole stretch of gravity
   // gave it: so slow a hit is a lean.
   if (isSupported(a) && isSupported(b))
@@ -258,7 +259,21 @@ bool Engine::joinAtRest(const Upcoming& event, double approach, const Eigen::Vec
   const double pull = (isSupported(a) ? 1 : -1) * normal.y() * m_scene->gravity;
   const double rebound = m_scene->restitution * approach;
   const double radius = m_bodies[isSupported(a) ? b : a].radius;
-  return pull > 0 && rebound * rebound < 2 * pull * kLastRise * radius;
+  if (pull <= 0) return false;
+  if (settled && 2 * rebound < pull * boundaryAfter(0)) return true;
+  return rebound * rebound < 2 * pull * kLastRise * radius;
+}
+
+bool Engine::meetsTooOften(int a, int b) {
+  const double steps = std::max(1.0, m_solver.step * 60);
+  const auto isTooMuch = [&](int index, int other) {
+    const int most = m_moving[other].piece.settled && !m_moving[index].piece.settled
+                         ? kMostMeetingsWithGroup
+                         : kMostMeetings;
+    return ++m_moving[index].meetings > most * steps;
+  };
+  const bool tooMuchForA = isTooMuch(a, b);
+  return isTooMuch(b, a) || tooMuchForA;
 }
 
 }  // namespace core

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 
-#include "core/contact/resting.h"
 #include "core/run/engine.h"
+#include "core/run/group.h"
 
 // Weights in lasting contact move in groups, by time-stepping: every so often the forces
 // that keep them apart are found together, and in between each keeps its velocity. First
@@ -15,158 +14,19 @@ namespace {
 
 // Forces in groups are found anew this often [1/s].
 constexpr double kSolvesPerSecond = 240;
-// Velocities of solved contacts are right to this [m/s].
-constexpr double kSolverTolerance = 1e-8;
-// After a hit, until the next solve, this is enough [m/s], or this share of the hit.
-constexpr double kHitTolerance = 1e-6;
-constexpr double kHitShare = 1e-5;
-constexpr int kMostSweeps = 600;
+// What impacts leave of approaches, the forces of the same stretch take.
+constexpr ContactGoal kImpactGoal{.tolerance = 1e-5, .mostSweeps = 600};
+// 10⁻⁶ m/s makes a gap of 4 nm in a stretch. Where friction holds a heap in more ways than it
+// need be held, pushes go on changing without end, and with them velocities by less than that.
+constexpr ContactGoal kSupportGoal{.tolerance = 1e-6, .mostSweeps = 600};
 // A group falls asleep when all its weights have been slower than this share of √(2 g r)
 // for this many times √(2 r / g), the time in which what stands on a point leaves it by a
 // factor of e: one that sets out to roll off another from 10⁻⁸ r off its top is faster by
 // then.
-constexpr double kStillSpeed = 1e-4;
-constexpr double kStillTimes = 10;
-// Gaps up to this count as touching within a group [m].
-constexpr double kTouchingGap = 1e-9;
-
-enum Surface { kFloor = -1, kCeiling = -2, kWest = -3, kEast = -4, kRopeEnd = -5 };
+constexpr double kStillSpeed = 1e-3;
+constexpr double kStillTimes = 13;
 
 }  // namespace
-
-/// Some settled weights with their contacts, in the solver's terms.
-class Engine::Group {
- public:
-  Group(Engine& engine, double s, double duration)
-      : m_engine(engine), m_s(s), m_duration(duration) {}
-  ~Group() {
-    for (const int i : members) m_engine.m_localOf[i] = -1;
-  }
-  Group(const Group&) = delete;
-  Group& operator=(const Group&) = delete;
-
-  void add(int index) {
-    if (localOf(index) >= 0) return;
-    m_engine.m_localOf[index] = static_cast<int>(members.size());
-    members.push_back(index);
-    const Piece& piece = m_engine.m_moving[index].piece;
-    const Entries state = piece.at(m_s);
-    const Body& body = m_engine.m_bodies[index];
-    places.push_back(positionOf(body, piece.mode, state));
-    RestingWeight weight{velocityOf(body, piece.mode, state), body.mass};
-    if (isTethered(piece.mode)) weight.track = trackOf(state);
-    weights.push_back(weight);
-    unkicked.push_back(weight.velocity);
-    m_reach.push_back(reachAt(weight.velocity.norm()));
-    m_expanded.push_back(false);
-  }
-
-  int localOf(int index) const { return m_engine.m_localOf[index]; }
-  bool isExpanded(int local) const { return m_expanded[local]; }
-
-  /// Finds all contacts of a member within its reach; settled weights it finds become members.
-  void expand(int local) {
-    m_expanded[local] = true;
-    addSurfacesOf(local);
-    const int index = members[local];
-    const double radius = m_engine.m_bodies[index].radius;
-    // A slow weight, too, must be told of a fast one that comes its way.
-    const double farthest = m_reach[local] + reachAt(m_engine.m_fastestSettled);
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(radius + farthest);
-    const Box box{places[local] - margin, places[local] + margin};
-    m_engine.m_broadPhase.forEachNear(box, [&](int other) {
-      if (other == index || !m_engine.m_moving[other].piece.settled) return;
-      const Piece& piece = m_engine.m_moving[other].piece;
-      const Body& body = m_engine.m_bodies[other];
-      const Entries state = piece.at(m_s);
-      const Eigen::Vector2d apart = places[local] - positionOf(body, piece.mode, state);
-      const double gap = apart.norm() - radius - body.radius;
-      const double reachThere = localOf(other) >= 0
-                                    ? m_reach[localOf(other)]
-                                    : reachAt(velocityOf(body, piece.mode, state).norm());
-      if (gap > m_reach[local] + reachThere) return;
-      add(other);
-      const int lower = std::min(index, other), higher = std::max(index, other);
-      if (!m_pairs.emplace(lower, higher).second) return;
-      const Eigen::Vector2d normal = (index == lower ? 1 : -1) * apart.normalized();
-      addContact({localOf(lower), localOf(higher), normal, gap, 0, 0, 0}, higher);
-    });
-  }
-
-  /// Solves; when that made members faster than their contacts were looked for, looks again.
-  void solve(double tolerance) {
-    for (bool grows = true; grows;) {
-      ContactSolver(weights, contacts).solve(m_duration, tolerance, kMostSweeps);
-      grows = false;
-      for (int local = 0; local < static_cast<int>(members.size()); ++local) {
-        const double needed = reachAt(weights[local].velocity.norm());
-        if (!m_expanded[local] || needed <= m_reach[local]) continue;
-        m_reach[local] = 2 * needed;
-        const std::size_t before = contacts.size();
-        expand(local);
-        grows = grows || contacts.size() > before;
-      }
-    }
-  }
-
-  /// Notes the members that some contact pushes now.
-  void markPushed() {
-    for (const RestingContact& contact : contacts) {
-      if (contact.push == 0) continue;
-      hitOrHeld[contact.a] = 1;
-      if (contact.b >= 0) hitOrHeld[contact.b] = 1;
-    }
-  }
-
-  std::vector<int> members;              // indices of weights
-  std::vector<RestingWeight> weights;    // in the order of members
-  std::vector<Eigen::Vector2d> places;   // likewise [m]
-  std::vector<RestingContact> contacts;  // refer to places in `members`
-  std::vector<int> keys;                 // of contacts: other weight, or Surface
-  /// Velocities when they became members; from solveImpacts() on, those after impacts and
-  /// before forces [m/s].
-  std::vector<Eigen::Vector2d> unkicked;
-  std::vector<char> hitOrHeld;  // of members: some contact pushes
-
- private:
-  /// How far a weight may come within the stretch, and some more for what pushes it [m].
-  double reachAt(double speed) const {
-    const double kick = 1.5 * m_engine.m_scene->gravity * m_duration;
-    return 1.2 * (speed + kick) * m_duration + kTouchingGap;
-  }
-
-  void addSurfacesOf(int local) {
-    const Body& body = m_engine.m_bodies[members[local]];
-    const Piece& piece = m_engine.m_moving[members[local]].piece;
-    const Eigen::Vector2d place = places[local];
-    const Room& room = m_engine.m_scene->room;
-    const auto look = [&](Surface surface, double gap, const Eigen::Vector2d& normal,
-                          double friction) {
-      if (gap > m_reach[local] || !m_pairs.emplace(members[local], surface).second) return;
-      addContact({local, -1, normal, gap, friction, 0, 0}, surface);
-    };
-    const double friction = isTethered(piece.mode) ? 0 : room.friction;
-    look(kFloor, place.y() - body.radius, {0, 1}, friction);
-    look(kCeiling, room.height - place.y() - body.radius, {0, -1}, friction);
-    look(kWest, place.x() - body.radius, {1, 0}, friction);
-    look(kEast, room.width - place.x() - body.radius, {-1, 0}, friction);
-    if (!piece.tied || isTethered(piece.mode)) return;
-    const Eigen::Vector2d out = place - body.pivot;
-    if (out.norm() > 0) look(kRopeEnd, body.length - out.norm(), -out.normalized(), 0);
-  }
-
-  void addContact(const RestingContact& contact, int key) {
-    contacts.push_back(contact);
-    keys.push_back(key);
-  }
-
-  Engine& m_engine;
-  double m_s;
-  double m_duration;
-  std::vector<double> m_reach;  // of members: how far their contacts were looked for [m]
-  std::vector<bool> m_expanded;
-  std::set<std::pair<int, int>> m_pairs;  // weights, or weight and Surface, with a contact
-};
 
 double Engine::boundaryAfter(double s) const {
   const double count = std::ceil(m_solver.step * kSolvesPerSecond - 1e-9);
@@ -220,7 +80,7 @@ void Engine::settle(double s, bool foresee) {
 }
 
 void Engine::solveImpacts(Group& group, double s) {
-  group.solve(kSolverTolerance);
+  group.solve(kImpactGoal);
   loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
   group.hitOrHeld.assign(group.members.size(), 0);
   group.markPushed();
@@ -249,8 +109,8 @@ void Engine::solveSupport(Group& group, double s, double duration) {
     contact.push = found ? carried->push : 0;
     contact.drag = found ? carried->drag : 0;
   }
-  ContactSolver(group.weights, group.contacts).applyCarried();
-  group.solve(kSolverTolerance);
+  applyCarried(group.weights, group.contacts);
+  group.solve(kSupportGoal);
   loseQuietly(s, 0, slipLoss(group.contacts, group.weights));
   group.markPushed();
 }
@@ -330,42 +190,6 @@ void Engine::releaseOrKeep(const Group& group, double s, bool foresee) {
   }
   if (!foresee) return;
   for (const int i : group.members) schedule(i);
-}
-
-void Engine::spread(double s, const std::vector<int>& seeds, double approach) {
-  const double tolerance = std::max(kHitTolerance, kHitShare * approach);
-  Group group(*this, s, std::max(boundaryAfter(s) - s, 1e-9));
-  for (const int i : seeds) group.add(i);
-  for (bool reaches = true; reaches;) {
-    reaches = false;
-    for (int local = 0, count = static_cast<int>(group.members.size()); local < count; ++local) {
-      const double change = (group.weights[local].velocity - group.unkicked[local]).norm();
-      const bool isHit = local < static_cast<int>(seeds.size()) || change > tolerance;
-      if (!isHit || group.isExpanded(local)) continue;
-      group.expand(local);
-      reaches = true;
-    }
-    if (reaches) group.solve(tolerance);
-  }
-  loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
-  moveSpread(group, s);
-}
-
-void Engine::moveSpread(const Group& group, double s) {
-  std::vector<int> moved;
-  for (std::size_t k = 0; k < group.members.size(); ++k) {
-    if (group.weights[k].velocity == group.unkicked[k]) continue;
-    const int index = group.members[k];
-    moved.push_back(index);
-    m_moving[index].asleep = false;
-    m_moving[index].stillFor = 0;
-    const Piece piece = m_moving[index].piece;
-    const Entries state = piece.at(s);
-    goOn(index, s, state, piece.mode,
-         withVelocity(index, piece.mode, state, group.weights[k].velocity), piece.tied, true);
-    if (m_diverged) return;
-  }
-  for (const int i : moved) schedule(i);
 }
 
 Entries Engine::withVelocity(int index, Mode mode, const Entries& state,

@@ -13,6 +13,8 @@ namespace {
 
 // Share of a rope's length.
 constexpr double kOffCircle = 1e-9;
+// Multiple of the way back to the circle.
+constexpr double kFarthestAside = 2;
 
 /// Of two angles the one nearer to a third, all in rad and taken around the circle.
 double nearer(double one, double other, double angle) {
@@ -98,10 +100,15 @@ void Engine::goTaut(const Upcoming& event) {
   const double jerk = velocity.dot(radial);
   // Euler's path has left the circle by more than the rounding of places.
   const double angle = std::atan2(out.x(), -out.y());
-  const bool isOff = out.norm() - body.length > kOffCircle * body.length;
+  const double off = out.norm() - body.length;
+  double placed = angle;
+  if (off > kOffCircle * body.length) {
+    const double clear = clearAngle(i, s, angle);
+    // Something right between the weight and the pivot would take a jump to clear.
+    if (std::abs(clear - angle) * body.length <= kFarthestAside * off) placed = clear;
+  }
   Entries after;
-  after << (isOff ? clearAngle(i, s, angle) : angle), 0, velocity.dot(track) / body.length, 0,
-      before[4];
+  after << placed, 0, velocity.dot(track) / body.length, 0, before[4];
   log(EventKind::kTaut, s, i, readOut(i, piece.mode, true, before),
       readOut(i, Mode::kSwing, true, after), 0.5 * body.mass * jerk * jerk);
   goOn(i, s, before, Mode::kSwing, after);

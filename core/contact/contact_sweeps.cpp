@@ -1,0 +1,113 @@
+#include "core/contact/contact_sweeps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+// Slips need not be right to more than this many tolerances: they make no overlap, and where
+// friction makes a heap stiffer than it need be, drags are not settled by anything else.
+constexpr double kSlipTolerances = 100;
+
+/// What one sweep over all contacts did.
+struct Sweep {
+  double largest = 0;  // change of an approach, or share of that of a slip [m/s]
+  double square = 0;   // of all changes, in the metric of the masses [J]
+};
+
+void sweepPushes(ContactProblem& problem, Sweep& sweep) {
+  for (PushRow& row : problem.pushes) {
+    Eigen::Vector2d& a = problem.velocities[row.a];
+    Eigen::Vector2d& b = problem.velocities[row.b];
+    const double approach = row.normalA.dot(a) - row.normalB.dot(b) + row.gapSpeed;
+    const double pushed = std::max(0.0, row.push - approach * row.stiffness);
+    row.change = pushed - row.push;
+    row.push = pushed;
+    a += row.change * row.responseA;
+    b -= row.change * row.responseB;
+    const double speed = std::abs(row.change) * row.compliance;
+    sweep.largest = std::max(sweep.largest, speed);
+    sweep.square += speed * std::abs(row.change);
+  }
+}
+
+void sweepDrags(ContactProblem& problem, Sweep& sweep) {
+  for (DragRow& row : problem.drags) {
+    Eigen::Vector2d& a = problem.velocities[row.a];
+    const double most = row.friction * problem.pushes[row.push].push;
+    const double dragged = std::clamp(row.drag - row.tangent.dot(a) * row.stiffness, -most, most);
+    row.change = dragged - row.drag;
+    row.drag = dragged;
+    a += row.change * row.response;
+    const double speed = std::abs(row.change) * row.compliance;
+    sweep.largest = std::max(sweep.largest, speed / kSlipTolerances);
+    sweep.square += speed * std::abs(row.change);
+  }
+}
+
+/// Conjugate directions over the sweeps, as what they do to velocities; the rows hold the
+/// impulses.
+class Directions {
+ public:
+  explicit Directions(ContactProblem& problem)
+      : m_problem(problem),
+        m_direction(problem.velocities.size(), Eigen::Vector2d(0, 0)),
+        m_before(problem.velocities) {}
+
+  void reset() {
+    for (PushRow& row : m_problem.pushes) row.direction = 0;
+    for (DragRow& row : m_problem.drags) row.direction = 0;
+    std::ranges::fill(m_direction, Eigen::Vector2d(0, 0));
+    m_before = m_problem.velocities;
+  }
+
+  /// Goes `share` of the latest direction further; the sweep and that are the next direction.
+  void extrapolate(double share) {
+    for (PushRow& row : m_problem.pushes) {
+      const double further = share * row.direction;
+      row.direction = further + row.change;
+      row.push += further;
+    }
+    for (DragRow& row : m_problem.drags) {
+      const double further = share * row.direction;
+      row.direction = further + row.change;
+      row.drag += further;
+    }
+    for (std::size_t k = 0; k < m_direction.size(); ++k) {
+      const Eigen::Vector2d further = share * m_direction[k];
+      m_direction[k] = further + m_problem.velocities[k] - m_before[k];
+      m_problem.velocities[k] += further;
+      m_before[k] = m_problem.velocities[k];
+    }
+  }
+
+ private:
+  ContactProblem& m_problem;
+  std::vector<Eigen::Vector2d> m_direction;  // of velocities
+  std::vector<Eigen::Vector2d> m_before;     // velocities before the sweep
+};
+
+}  // namespace
+
+bool solveBySweeps(ContactProblem& problem, const ContactGoal& goal) {
+  Directions directions(problem);
+  double lastSquare = 0;
+  for (int count = 1;; ++count) {
+    Sweep sweep;
+    sweepPushes(problem, sweep);
+    sweepDrags(problem, sweep);
+    if (sweep.largest <= goal.tolerance) return true;
+    if (count >= goal.mostSweeps) return false;  // further on may be no push
+    const double share = lastSquare > 0 ? sweep.square / lastSquare : 2;
+    lastSquare = sweep.square;
+    // A growing residual means that another set of contacts pushes now: start anew.
+    if (share > 1) {
+      directions.reset();
+    } else {
+      directions.extrapolate(share);
+    }
+  }
+}
+
+}  // namespace core
