@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
 #include <QProgressBar>
@@ -107,6 +108,7 @@ class TimeWindowTest : public QObject {
   void listFollowsTheMomentShown();
   void clickOnAnEventShowsItsMoment();
   void arrowKeysInTheListGoFromEventToEvent();
+  void listHasRoomForItsHeadings();
   void listsOneWeightOrKind();
   void listsTheEventsOfTheChosenRun();
   void copiesEventsAsCsv();
@@ -351,6 +353,15 @@ void TimeWindowTest::arrowKeysInTheListGoFromEventToEvent() {
     QCOMPARE(window.time(), events[row].time);
     QCOMPARE(window.list()->currentIndex().row(), row);
   }
+}
+
+void TimeWindowTest::listHasRoomForItsHeadings() {
+  Window window;
+  window.showEvents();
+  const QHeaderView* columns = window.list()->horizontalHeader();
+  QVERIFY(columns->font().pointSizeF() >= 12);
+  for (int column = 0; column < columns->count(); ++column)
+    QVERIFY(columns->sectionSize(column) >= columns->sectionSizeHint(column));
 }
 
 void TimeWindowTest::listsOneWeightOrKind() {

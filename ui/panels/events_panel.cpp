@@ -66,7 +66,6 @@ void EventsPanel::buildTable() {
   rows->hide();
   // One height for all: no row has to be looked at to know where another is.
   rows->setSectionResizeMode(QHeaderView::Fixed);
-  rows->setDefaultSectionSize(fontMetrics().height() + kRowMargin);
   QHeaderView* columns = m_view->horizontalHeader();
   columns->setHighlightSections(false);
   columns->setSectionResizeMode(EventTable::kKind, QHeaderView::Stretch);
@@ -77,16 +76,18 @@ void EventsPanel::buildTable() {
 }
 
 /// Columns wide enough for their names and for the numbers of any two weights.
-void EventsPanel::sizeColumns() {
+void EventsPanel::fitToFont() {
+  if (m_controller->runCount() == 0) return;
+  m_view->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRowMargin);
   const int last = m_controller->run(0).weightCount() - 1;
   core::Event widest;
   widest.weight = widest.other = std::max(last, 0);
+  const int numbers = fontMetrics().horizontalAdvance(whoWords(widest)) + kColumnMargin;
+  const QHeaderView* columns = m_view->horizontalHeader();
   for (int column = 0; column < EventTable::kColumnCount; ++column) {
-    const QString name = m_table->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-    int width = fontMetrics().horizontalAdvance(name);
-    if (column == EventTable::kWho)
-      width = std::max(width, fontMetrics().horizontalAdvance(whoWords(widest)));
-    if (column != EventTable::kKind) m_view->setColumnWidth(column, width + kColumnMargin);
+    const int name = columns->sectionSizeHint(column);
+    const int width = column == EventTable::kWho ? std::max(name, numbers) : name;
+    if (column != EventTable::kKind) m_view->setColumnWidth(column, width);
   }
 }
 
@@ -135,7 +136,7 @@ void EventsPanel::listRuns() {
   m_runs->setVisible(m_controller->runCount() > 1);
   m_weight->setMaximum(m_controller->run(0).weightCount());
   m_table->setLog(&m_events->log());
-  sizeColumns();
+  fitToFont();
 }
 
 void EventsPanel::setWeight(int weight) {
@@ -195,6 +196,7 @@ bool EventsPanel::eventFilter(QObject* watched, QEvent* event) {
 void EventsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) m_table->setTheme(Theme::of(palette()));
+  if (event->type() == QEvent::FontChange) fitToFont();
 }
 
 void EventsPanel::showEvent(QShowEvent* event) {
