@@ -19,6 +19,10 @@ struct Method {
   int order;              ///< global error O(h^order)
   int slopesPerStep;      ///< slope evaluations of one step
   PathShape path;
+  /// Where in the step each slope is taken: 0 at its start, 1 at its end.
+  std::span<const double> nodes;
+  /// Weights of the mean of the slopes that carries the state to the end; their sum is 1.
+  std::span<const double> shares;
 
   /// Whether a kink inside a step would cost the method its order, so that steps are split
   /// there.

@@ -47,6 +47,8 @@ class Engine {
   WeightState weightAt(int index, double time) const;
   Energies energies() const;
   Energies energiesAt(double time) const;
+  std::vector<StepPart> latestStep(int index) const;
+  StepPart retaken(int index, const StepPart& part, const Method& method) const;
 
   EngineState state() const;
   void restore(const EngineState& state);

@@ -83,6 +83,17 @@ double Run::startEnergy() const {
 std::span<const Event> Run::stepEvents() const {
   return m_engine->stepEvents();
 }
+std::vector<StepPart> Run::latestStep(int index) const {
+  return m_engine->latestStep(index);
+}
+std::vector<StepPart> Run::nextStep(int index) const {
+  Engine ahead(*m_engine);
+  ahead.advance();
+  return ahead.latestStep(index);
+}
+StepPart Run::retaken(int index, const StepPart& part, const Method& method) const {
+  return m_engine->retaken(index, part, method);
+}
 std::int64_t Run::slopeEvaluations() const {
   return m_engine->evaluations();
 }
