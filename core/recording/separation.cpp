@@ -33,7 +33,7 @@ Separation separationOf(const Run& a, const Run& b, double time) {
 
 void SeparationLog::start(std::span<const Run* const> runs) {
   m_runCount = runs.size();
-  m_pairs.assign(m_runCount * (m_runCount - (m_runCount > 0)) / 2, Series<Separation>(m_most));
+  m_pairs.assign(m_runCount * (m_runCount - (m_runCount > 0)) / 2, SeparationSeries(m_most));
   sample(runs, runs.empty() ? 0 : runs.front()->time());
 }
 
@@ -59,11 +59,11 @@ void SeparationLog::sample(std::span<const Run* const> runs, double time) {
 }
 
 void SeparationLog::dropAfter(double time) {
-  for (Series<Separation>& pair : m_pairs) pair.dropAfter(time);
+  for (SeparationSeries& pair : m_pairs) pair.dropAfter(time);
   m_latest = std::min(m_latest, time);
 }
 
-const Series<Separation>& SeparationLog::between(std::size_t a, std::size_t b) const {
+const SeparationSeries& SeparationLog::between(std::size_t a, std::size_t b) const {
   assert(a != b && std::max(a, b) < m_runCount);
   return m_pairs[placeOfPair(a, b)];
 }

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/recording/series.h"
+#include "core/recording/even_series.h"
 #include "core/run/run.h"
 
 namespace core {
@@ -16,13 +15,14 @@ struct Separation {
   double time = 0;      ///< [s]
   double distance = 0;  ///< between the centers [m]
   int weight = -1;      ///< the weight that is furthest apart; −1 if there is none
-
-  double height() const { return distance; }
 };
 
 /// @param time  [s], inside the latest step of both runs
 /// @pre both are runs of one scene
 Separation separationOf(const Run& a, const Run& b, double time);
+
+/// Two runs' distance over time, in time order.
+using SeparationSeries = EvenSeries<Separation>;
 
 /// How far the runs of one scene are apart over time, each from each, in bounded memory.
 ///
@@ -47,15 +47,15 @@ class SeparationLog {
 
   /// Of runs a and b, in either order.
   /// @pre a ≠ b, both below the number of runs
-  const Series<Separation>& between(std::size_t a, std::size_t b) const;
+  const SeparationSeries& between(std::size_t a, std::size_t b) const;
 
  private:
   void sample(std::span<const Run* const> runs, double time);
 
   std::size_t m_most;
   std::size_t m_runCount = 0;
-  double m_latest = 0;                      // time of the latest sample [s]
-  std::vector<Series<Separation>> m_pairs;  // (0, 1), (0, 2), (1, 2), (0, 3), …
+  double m_latest = 0;                    // time of the latest sample [s]
+  std::vector<SeparationSeries> m_pairs;  // (0, 1), (0, 2), (1, 2), (0, 3), …
 };
 
 }  // namespace core

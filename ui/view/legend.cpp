@@ -46,8 +46,8 @@ void addWords(const QString& words, QPointF corner, const QColor& color, const C
 
 Disc marker(std::size_t run, QPointF center, const Camera& camera, const Theme& theme) {
   const Eigen::Vector2d place = camera.toMetres(center);
-  if (run == 0) return {place, 0, kMarkerRadius, 1, theme.faintText.rgb(), theme.outline.rgb()};
-  return {place, 0, kMarkerRadius + 0.5, 2.5, 0, theme.runs[run % theme.runs.size()].rgb()};
+  const QRgb color = theme.runs[run % theme.runs.size()].rgb();
+  return {place, 0, kMarkerRadius + 0.5, 2.5, run == 0 ? color : 0, color};
 }
 
 /// The bar, with its length in words left of it, which say where its left end is [px].
