@@ -24,6 +24,7 @@
 #include "ui/control/scene_files.h"
 #include "ui/control/settings.h"
 #include "ui/main_menu.h"
+#include "ui/panels/comparison_panel.h"
 #include "ui/panels/energy_panel.h"
 #include "ui/panels/help_dialogs.h"
 #include "ui/panels/message_bar.h"
@@ -35,7 +36,7 @@
 #include "ui/panels/weights_form.h"
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
-#include "ui/view/scene_view.h"
+#include "ui/view/scene_area.h"
 
 namespace ui {
 namespace {
@@ -72,7 +73,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
       m_ticker(new FrameTicker(this)),
       m_commands(new Commands(this)),
       m_files(new SceneFiles(m_editor, file, this)),
-      m_view(new SceneView),
+      m_view(new SceneArea),
       m_playback(new PlaybackBar(*m_commands)),
       m_energy(new EnergyPanel(m_controller)) {
   m_exports = new Exports(
@@ -122,6 +123,12 @@ void MainWindow::buildPanels() {
   runsArea->setMinimumHeight(runsArea->sizeHint().height());
   QDockWidget* runs = addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), runsArea);
   QDockWidget* energy = addPanel(Qt::BottomDockWidgetArea, "energy", tr("Energy"), m_energy);
+  auto* comparison = new ComparisonPanel(m_controller);
+  QDockWidget* compared =
+      addPanel(Qt::BottomDockWidgetArea, "comparison", tr("Comparison"), comparison);
+  compared->setTitleBarWidget(new PanelTitle(compared, comparison->chooser()));
+  tabifyDockWidget(energy, compared);
+  energy->raise();
   tabifyDockWidget(scene, weights);
   // Their tabs are their titles.
   for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
@@ -207,6 +214,9 @@ void MainWindow::connectScene() {
   // Before anything draws the new runs: the old ones are gone.
   connect(m_controller, &RunController::restarted, this,
           [this] { m_view->setRuns(m_controller->runs()); });
+  connect(m_controller, &RunController::restarted, this, [this] {
+    m_commands->action(Command::kSplit)->setEnabled(m_controller->runCount() > 1);
+  });
   connect(m_controller, &RunController::restarted, this, &MainWindow::showStopped);
   connect(m_editor, &SceneEditor::sceneReplaced, m_controller, &RunController::pause);
   connect(m_editor, &SceneEditor::sceneChanged, this, &MainWindow::startScene);
@@ -238,12 +248,13 @@ void MainWindow::connectFiles() {
 }
 
 void MainWindow::connectView() {
+  connect(m_commands->action(Command::kSplit), &QAction::toggled, m_view, &SceneArea::setSplit);
   connect(m_commands->action(Command::kTrails), &QAction::toggled, m_view,
-          &SceneView::setTrailsShown);
-  connect(m_commands->action(Command::kFit), &QAction::triggered, m_view, &SceneView::fitRoom);
-  connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneView::zoomIn);
-  connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneView::zoomOut);
-  connect(m_view, &SceneView::painterChanged, this, &MainWindow::showPainter);
+          &SceneArea::setTrailsShown);
+  connect(m_commands->action(Command::kFit), &QAction::triggered, m_view, &SceneArea::fitRoom);
+  connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneArea::zoomIn);
+  connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneArea::zoomOut);
+  connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
   m_view->setPainterChoice(Settings().painter());
   showPainter();
 }

@@ -19,9 +19,9 @@ class MainMenu;
 class MessageBar;
 class PlaybackBar;
 class RunController;
+class SceneArea;
 class SceneEditor;
 class SceneFiles;
-class SceneView;
 
 /// The window: the scene in the middle, forms at its side, the energy chart below. Puts the
 /// parts together and passes on what they say; each part does its own work.
@@ -76,7 +76,7 @@ class MainWindow : public QMainWindow {
   Exports* m_exports;
 
   MainMenu* m_menu;
-  SceneView* m_view;
+  SceneArea* m_view;
   PlaybackBar* m_playback;
   EnergyPanel* m_energy;
   MessageBar* m_problemBar;

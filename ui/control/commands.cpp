@@ -54,6 +54,9 @@ constexpr Look kLooks[] = {
      QT_TRANSLATE_NOOP("ui::Commands", "Halve the speed"), "slower", ","},
     {Command::kFaster, QT_TRANSLATE_NOOP("ui::Commands", "F&aster"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Double the speed"), "faster", "."},
+    {Command::kSplit, QT_TRANSLATE_NOOP("ui::Commands", "Split &views"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Split"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Give each run a view of its own"), "split", "V"},
     {Command::kTrails, QT_TRANSLATE_NOOP("ui::Commands", "&Trails"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show where the weights have just been"), "trails", "T"},
     {Command::kFit, QT_TRANSLATE_NOOP("ui::Commands", "&Fit the room"), "",
@@ -82,6 +85,7 @@ Commands::Commands(QObject* parent) : QObject(parent) {
     }
     m_actions[look.command] = action;
   }
+  action(Command::kSplit)->setCheckable(true);
   action(Command::kTrails)->setCheckable(true);
   action(Command::kTrails)->setChecked(true);
   action(Command::kZoomIn)->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});

@@ -25,6 +25,7 @@ enum class Command {
   kReset,
   kSlower,
   kFaster,
+  kSplit,
   kTrails,
   kFit,
   kZoomIn,

@@ -49,6 +49,7 @@ void RunController::setScene(std::shared_ptr<const core::Scene> scene) {
   for (const core::Solver& solver : m_scene->solvers) {
     m_lanes.push_back(std::make_unique<Lane>(m_scene, solver));
   }
+  m_separations.start(runs());
   m_clock.reset(0);
   emit restarted();
   emit timeShown(0);
@@ -121,6 +122,7 @@ void RunController::advanceTo(double target, double budget) {
   bool stopped = false;
   while (Lane* lane = laneFurthestBehind(target)) {
     stopped |= !advance(*lane);
+    m_separations.note(runs());
     if (now() - start > budget) break;
   }
   const double shown = shownTime(target);
@@ -192,6 +194,7 @@ void RunController::cutAll() {
     lane->cutAt = moment;
     cutWhereDue(*lane);
   }
+  m_separations.dropAfter(moment);
   emit timeShown(time());
   noteCut();
 }

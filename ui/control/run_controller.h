@@ -9,6 +9,7 @@
 #include <QObject>
 
 #include "core/recording/recording.h"
+#include "core/recording/separation.h"
 #include "core/run/run.h"
 #include "core/run/step_clock.h"
 
@@ -45,6 +46,8 @@ class RunController : public QObject {
   const core::Run& run(int index) const;
   const core::Recording& recording(int index) const;
   std::vector<const core::Run*> runs() const;
+  /// How far the runs are apart over time; lives as long as they do.
+  const core::SeparationLog& separations() const { return m_separations; }
 
   /// The moment shown [s]: inside the latest step of every run that still goes on.
   double time() const { return m_clock.time(); }
@@ -105,6 +108,7 @@ class RunController : public QObject {
   Stopwatch m_stopwatch;
   std::shared_ptr<const core::Scene> m_scene;
   std::vector<std::unique_ptr<Lane>> m_lanes;
+  core::SeparationLog m_separations;
   core::StepClock m_clock;
   bool m_playing = false;
   bool m_couldCut = false;

@@ -8,7 +8,6 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 
 #include "core/methods/method.h"
 #include "core/scene/scene_limits.h"
@@ -16,27 +15,13 @@
 #include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/wheel_guard.h"
+#include "ui/style/run_mark.h"
 #include "ui/style/theme.h"
 
 namespace ui {
 namespace {
 
 constexpr int kOfferedRuns = 2;
-constexpr int kMarkSize = 16;  // px
-
-/// How a run's weights look in the scene: filled for the first, outlines for the others.
-QPixmap markOf(int run, const Theme& theme, double devicePixelRatio) {
-  QPixmap mark(QSize(kMarkSize, kMarkSize) * devicePixelRatio);
-  mark.setDevicePixelRatio(devicePixelRatio);
-  mark.fill(Qt::transparent);
-  QPainter painter(&mark);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QColor color = theme.runs[static_cast<std::size_t>(run)];
-  painter.setPen(QPen(color, 2.5));
-  if (run == 0) painter.setBrush(color);
-  painter.drawEllipse(QRectF(2, 2, kMarkSize - 4, kMarkSize - 4));
-  return mark;
-}
 
 bool isShown(const core::Scene& scene, int run) {
   return run < static_cast<int>(scene.solvers.size());
@@ -134,7 +119,7 @@ void RunsForm::changeEvent(QEvent* event) {
 void RunsForm::paintMarks() {
   const Theme theme = Theme::of(palette());
   for (int i = 0; i < static_cast<int>(m_runs.size()); ++i) {
-    m_runs[i].mark->setPixmap(markOf(i, theme, devicePixelRatioF()));
+    m_runs[i].mark->setPixmap(runMark(i, theme, devicePixelRatioF()));
   }
 }
 

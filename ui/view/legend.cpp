@@ -44,10 +44,11 @@ void addWords(const QString& words, QPointF corner, const QColor& color, const C
                            withOpacity(look.theme.background, 0.85)});
 }
 
-Disc marker(std::size_t run, QPointF center, const Camera& camera, const Theme& theme) {
-  const Eigen::Vector2d place = camera.toMetres(center);
-  const QRgb color = theme.runs[run % theme.runs.size()].rgb();
-  return {place, 0, kMarkerRadius + 0.5, 2.5, run == 0 ? color : 0, color};
+/// Filled for the first run, as its weights are where all runs are in one view.
+Disc marker(std::size_t place, QPointF center, const Camera& camera, const Theme& theme) {
+  const QRgb color = theme.runs[place % theme.runs.size()].rgb();
+  const QRgb fill = place == 0 ? color : 0;
+  return {camera.toMetres(center), 0, kMarkerRadius + 0.5, 2.5, fill, color};
 }
 
 /// The bar, with its length in words left of it, which say where its left end is [px].
@@ -100,7 +101,7 @@ void drawLegend(const std::vector<ShownRun>& runs, const Ruler& ruler, bool enla
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const QPointF center = corners[r] + QPointF(kMarkerRadius, lineHeight(look.font) / 2);
     const QPointF words = corners[r] + QPointF(kMarkerSpace, 0);
-    drawing.layers[kFrontLayer].discs.push_back(marker(r, center, camera, look.theme));
+    drawing.layers[kFrontLayer].discs.push_back(marker(runs[r].place, center, camera, look.theme));
     addWords(runs[r].name, words, look.theme.text, camera, look, drawing);
     if (words.y() == top) firstRowEnd = words.x() + widthOf(runs[r].name, look.font) + kEntryGap;
   }

@@ -34,7 +34,7 @@ QString solverText(std::string_view methodName, double step) {
   return QCoreApplication::translate("ui::SceneView", "%1, %2 s").arg(method, stepText(step));
 }
 
-ShownScene shownScene(const std::vector<const core::Run*>& runs) {
+ShownScene shownScene(const std::vector<const core::Run*>& runs, std::size_t firstPlace) {
   ShownScene shown;
   if (runs.empty()) return shown;
   shown.scene = runs.front()->scene();
@@ -43,7 +43,8 @@ ShownScene shownScene(const std::vector<const core::Run*>& runs) {
   for (int i = 0; i < count; ++i) shown.colors.push_back(rgbOf(core::colorOf(shown.scene, i)));
   shown.time = runs.front()->time();
   for (const core::Run* run : runs) {
-    shown.runs.push_back({solverText(run->method().name, run->solver().step), {}});
+    const std::size_t place = firstPlace + shown.runs.size();
+    shown.runs.push_back({solverText(run->method().name, run->solver().step), place, {}});
     for (int i = 0; i < count; ++i) shown.runs.back().weights.push_back(run->weight(i));
   }
   return shown;

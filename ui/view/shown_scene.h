@@ -13,7 +13,8 @@ namespace ui {
 
 /// One run at one moment.
 struct ShownRun {
-  QString name;  ///< method and step, for the legend
+  QString name;           ///< method and step, for the legend
+  std::size_t place = 0;  ///< among all runs of the scene: decides its mark in the legend
   std::vector<core::WeightState> weights;
 };
 
@@ -26,8 +27,9 @@ struct ShownScene {
 };
 
 /// The scene of these runs, with their names, each as it stands now.
+/// @param firstPlace  of the first of them among all runs of the scene
 /// @pre all runs are of one scene
-ShownScene shownScene(const std::vector<const core::Run*>& runs);
+ShownScene shownScene(const std::vector<const core::Run*>& runs, std::size_t firstPlace = 0);
 
 /// Reads where the weights are at another moment; the vectors keep their memory.
 /// @param time  [s], inside the latest step of every run
