@@ -16,6 +16,11 @@ using StateArray =
 template <int kLanes>
 using Lanes = Eigen::Array<double, kLanes, 1>;
 
+/// How many places a state holds. They come first, then as many rates in the same order, then
+/// the energy lost to air.
+template <class State>
+inline constexpr int kPlaces = (State::ColsAtCompileTime - 1) / 2;
+
 /// Entries (θ [rad], ω [rad/s], Q [J]); Q is the energy lost to air so far.
 template <int kLanes = 1>
 using SwingState = StateArray<3, kLanes>;

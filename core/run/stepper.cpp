@@ -65,7 +65,22 @@ void Stepper::fill(const Body& body, Piece& piece) {
   piece.straight = m_method->path == PathShape::kStraight;
   piece.beginSlope = slope(body, piece.mode, piece.beginState);
   piece.endState = step(body, piece, piece.end - piece.begin);
-  piece.endSlope = piece.straight ? piece.beginSlope : slopeOn(body, piece, piece.endState);
+  piece.endSlope = pathEndSlope(body, piece);
+}
+
+Entries Stepper::pathEndSlope(const Body& body, const Piece& piece) {
+  switch (m_method->path) {
+    case PathShape::kStraight:
+      return piece.beginSlope;
+    case PathShape::kParabola: {
+      const double duration = piece.end - piece.begin;
+      if (duration <= 0) return piece.beginSlope;
+      return 2 / duration * (piece.endState - piece.beginState) - piece.beginSlope;
+    }
+    case PathShape::kCubic:
+      break;
+  }
+  return slopeOn(body, piece, piece.endState);
 }
 
 void Stepper::fillSettled(const Body& body, Piece& piece) {

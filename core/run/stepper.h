@@ -26,6 +26,9 @@ class Stepper {
   /// starts, past its stop as well: the stop is a root of its smooth path.
   Entries slopeOn(const Body& body, const Piece& piece, const Entries& state);
 
+  /// d/ds of the path at the end of a piece whose both ends and beginSlope are known.
+  Entries pathEndSlope(const Body& body, const Piece& piece);
+
   /// Fills in the end of a piece whose begin, end, mode and beginState are set: one step of
   /// the method from its begin to its end. A settled weight keeps its velocity.
   void fill(const Body& body, Piece& piece);
