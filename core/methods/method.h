@@ -21,9 +21,10 @@ struct Method {
   int slopesPerStep;      ///< slope evaluations of one step
   PathShape path;
   /// Where in the step each slope is taken: 0 at its start, 1 at its end.
-  std::span<const double> nodes;
-  /// Weights of the mean of the slopes that carries the state to the end; their sum is 1.
-  std::span<const double> shares;
+  std::span<const double> nodes = {};
+  /// Weights of the mean of the slopes that carries the state to the end; their sum is 1. None
+  /// where the end follows from the slopes in another way.
+  std::span<const double> shares = {};
 
   /// Whether a kink inside a step would cost the method its order, so that steps are split
   /// there.

@@ -9,7 +9,7 @@ void placeStages(const Body& body, const Method& method, StepPart& part) {
   for (std::size_t i = 0; i < part.stages.size(); ++i) {
     Stage& stage = part.stages[i];
     stage.node = method.nodes[i];
-    stage.share = method.shares[i];
+    if (!method.shares.empty()) stage.share = method.shares[i];
     stage.position = positionOf(body, part.mode, stage.state);
     stage.velocity = velocityOf(body, part.mode, stage.state);
   }

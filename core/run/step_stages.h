@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,8 +13,9 @@ class Stepper;
 
 /// One place where a method looked at the slope on its way through a step.
 struct Stage {
-  double node = 0;   ///< where in the step: 0 at its start, 1 at its end [-]
-  double share = 0;  ///< of this slope in the mean that leads to the end [-]
+  double node = 0;  ///< where in the step: 0 at its start, 1 at its end [-]
+  /// Of this slope in the mean that leads to the end [-]; nothing if that is no such mean.
+  std::optional<double> share = std::nullopt;
   Entries state = Entries::Zero();
   Entries slope = Entries::Zero();  ///< d(state)/dt there
   Eigen::Vector2d position{0, 0};   ///< of the weight's center in that state [m]
@@ -35,7 +37,7 @@ struct StepPart {
   Eigen::Vector2d endPosition{0, 0};    ///< of the center [m]
 
   double duration() const { return end - begin; }
-  /// The mean of the slopes: what leads from the begin to the end, d(state)/dt.
+  /// What leads from the begin to the end: the mean of the slopes, d(state)/dt.
   Entries meanSlope() const { return (endState - beginState) / duration(); }
 };
 

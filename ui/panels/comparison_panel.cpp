@@ -24,7 +24,8 @@ namespace {
 
 enum Column { kName, kDistance, kDrift, kDriftShare, kEvaluations, kColumnCount };
 
-constexpr int kPause = 100;  // ms: figures that change faster cannot be read
+constexpr int kPause = 100;       // ms: figures that change faster cannot be read
+constexpr int kCellPadding = 12;  // px, both sides together
 const QString kNothing = QStringLiteral("–");
 
 QTableWidgetItem* figureItem() {
@@ -51,8 +52,8 @@ ComparisonPanel::ComparisonPanel(const RunController* controller, QWidget* paren
       m_limiter(new RedrawLimiter(kPause, this)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(12, 0, 0, 0);
-  layout->addWidget(m_table, 5);
-  layout->addWidget(m_chart, 4);
+  layout->addWidget(m_table);
+  layout->addWidget(m_chart, 1);
   buildTable();
   m_chooser->setFocusPolicy(Qt::TabFocus);
   m_chooser->setAccessibleName(tr("Run that distances are measured from"));
@@ -70,7 +71,7 @@ QWidget* ComparisonPanel::chooser() const {
 
 void ComparisonPanel::buildTable() {
   m_table->setHorizontalHeaderLabels(
-      {tr("Run"), tr("Distance (m)"), tr("Drift (J)"), tr("Drift (%)"), tr("Slopes")});
+      {tr("Run"), tr("Apart (m)"), tr("Drift (J)"), tr("Drift (%)"), tr("Slopes")});
   m_table->horizontalHeaderItem(kDistance)->setToolTip(
       tr("Largest distance between the same weight in both runs, now"));
   m_table->horizontalHeaderItem(kDrift)->setToolTip(tr("Energy the method got wrong so far"));
@@ -79,9 +80,12 @@ void ComparisonPanel::buildTable() {
   m_table->horizontalHeaderItem(kEvaluations)->setToolTip(tr("Slope evaluations so far"));
   m_table->setAccessibleName(tr("Runs in figures"));
   m_table->verticalHeader()->hide();
-  m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  m_table->horizontalHeader()->setSectionResizeMode(kName, QHeaderView::ResizeToContents);
-  m_table->horizontalHeader()->setHighlightSections(false);
+  QHeaderView* header = m_table->horizontalHeader();
+  header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(kName, QHeaderView::Stretch);
+  header->setMinimumSectionSize(fontMetrics().horizontalAdvance(widestFigure()) + kCellPadding);
+  header->setHighlightSections(false);
+  m_table->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setSelectionMode(QAbstractItemView::NoSelection);
   m_table->setFocusPolicy(Qt::TabFocus);
@@ -99,6 +103,7 @@ void ComparisonPanel::listRuns() {
     m_chooser->addItem(tr("Distance from %1").arg(name));
     for (int column = 0; column < kColumnCount; ++column)
       m_table->setItem(i, column, column == kName ? new QTableWidgetItem(name) : figureItem());
+    m_table->item(i, kName)->setToolTip(name);  // where it is cut off
   }
   m_chooser->setCurrentIndex(std::clamp(chosen, 0, count - 1));
   m_chooser->setVisible(count > 1);
