@@ -38,6 +38,7 @@ QString helpText() {
              "Options of simulate:\n"
              "  --method NAME        %1 (rk4)\n"
              "  --step SECONDS       step of the method, from 1e-7 to 10 (1/60)\n"
+             "  --tolerance X        instead of a step for dopri5, from 1e-14 to 1 (1e-9)\n"
              "  --until SECONDS      simulated time to reach, from 0 to 1e6 (10)\n"
              "  --cut SECONDS|never  when all ropes are cut (as the scene says)\n"
              "  --sample SECONDS     time between rows, from 1e-7 to 1e6 (0.1)\n"

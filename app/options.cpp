@@ -49,18 +49,21 @@ QString methodNames() {
 core::Solver solverOf(const Arguments& arguments) {
   core::Solver solver;
   if (arguments.has(kMethod)) solver.method = arguments.text(kMethod).toStdString();
-  if (!core::findMethod(solver.method)) {
+  const core::Method* method = core::findOfferedMethod(solver.method);
+  if (!method) {
     Arguments::refuse(
         kMethod,
         Texts::tr("must be one of %1, got \"%2\"").arg(methodNames(), arguments.text(kMethod)));
   }
-  if (arguments.has(kTolerance)) {
-    arguments.number(kTolerance, core::kToleranceRange, 0);
-    Arguments::refuse(
-        kTolerance,
-        Texts::tr("%1 takes a step, not a tolerance").arg(QString::fromStdString(solver.method)));
-  }
+  const QString name = QString::fromStdString(solver.method);
   solver.step = arguments.number(kStep, core::kStepRange, solver.step);
+  solver.tolerance = arguments.number(kTolerance, core::kToleranceRange, solver.tolerance);
+  if (method->isAdaptive && arguments.has(kStep)) {
+    Arguments::refuse(kStep, Texts::tr("%1 takes a tolerance, not a step").arg(name));
+  }
+  if (!method->isAdaptive && arguments.has(kTolerance)) {
+    Arguments::refuse(kTolerance, Texts::tr("%1 takes a step, not a tolerance").arg(name));
+  }
   return solver;
 }
 

@@ -22,11 +22,13 @@ Engine::Engine(std::shared_ptr<const Scene> scene, Solver solver)
       m_solver(std::move(solver)),
       m_bodies(bodiesOf(*m_scene)),
       m_stepper(*findMethod(m_solver.method), m_scene->gravity, m_scene->room.friction),
+      m_adaptiveStepper(m_stepper, m_solver.tolerance),
       m_tolerance(toleranceFor(*m_scene)),
       m_foresight(*m_scene, m_tolerance) {
   m_now.weights.reserve(m_bodies.size());
   for (std::size_t i = 0; i < m_bodies.size(); ++i)
     m_now.weights.push_back(startRecord(m_scene->weights[i], m_bodies[i]));
+  if (method().isAdaptive) m_now.paces.resize(m_bodies.size());
   const Energies start = energies();
   m_startEnergy = start.mechanical();
   if (m_scene->cutTime && *m_scene->cutTime <= 0) {
@@ -57,13 +59,15 @@ RunStatus Engine::advance() {
   beginStep();
   placeAll();
   if (!stepAll()) {
-    abandonStep(RunStatus::kDiverged);
+    abandonStep(m_stalled ? RunStatus::kStalled : RunStatus::kDiverged);
     return m_status;
   }
   settle(0, false);
   if (!m_diverged) scheduleAll();
   if (m_diverged || !processEvents()) {
-    abandonStep(m_diverged ? RunStatus::kDiverged : RunStatus::kEndless);
+    abandonStep(m_stalled    ? RunStatus::kStalled
+                : m_diverged ? RunStatus::kDiverged
+                             : RunStatus::kEndless);
     return m_status;
   }
   finishStep();
@@ -78,7 +82,9 @@ void Engine::beginStep() {
   m_quietLosses.clear();
   m_finished.clear();
   m_queue.clear();
+  m_ownSteps = 0;
   m_diverged = false;
+  m_stalled = false;
 }
 
 void Engine::placeAll() {
@@ -102,9 +108,8 @@ void Engine::placeAll() {
 bool Engine::stepAll() {
   m_boxes.resize(m_bodies.size());
   for (int i = 0; i < static_cast<int>(m_bodies.size()); ++i) {
-    Piece& piece = m_moving[i].piece;
-    m_stepper.fill(m_bodies[i], piece);
-    if (!isFinite(i)) return false;
+    const Piece& piece = m_moving[i].piece;
+    if (!fill(i)) return false;
     m_boxes[i] = boxOf(m_bodies[i], piece, piece.begin, piece.end);
   }
   m_broadPhase.rebuild(m_boxes);
@@ -150,6 +155,7 @@ void Engine::scheduleOwn(int index) {
     if (const auto moment = m_foresight.apex(piece))
       push(*moment, index, -1, Upcoming::Kind::kApex);
   scheduleTurningPoint(index, piece.begin);
+  scheduleOwnStep(index);
 }
 
 void Engine::scheduleTurningPoint(int index, double from) {
@@ -183,7 +189,8 @@ bool Engine::processEvents() {
   while (!m_queue.isEmpty()) {
     const Upcoming event = m_queue.pop();
     if (!isCurrent(event)) continue;
-    if (++count > kMostEventsPerStep) return false;
+    const bool isOwnStep = event.kind == Upcoming::Kind::kOwnStep;
+    if (!isOwnStep && ++count > kMostEventsPerStep) return false;
     act(event);
     if (m_diverged) return false;
   }

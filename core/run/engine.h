@@ -28,8 +28,11 @@ namespace core {
 class Engine {
  public:
   Engine(std::shared_ptr<const Scene> scene, Solver solver);
+  Engine(const Engine&) = delete;  // parts know each other
+  Engine& operator=(const Engine&) = delete;
 
   const Scene& scene() const { return *m_scene; }
+  const std::shared_ptr<const Scene>& sharedScene() const { return m_scene; }
   const Solver& solver() const { return m_solver; }
   const Method& method() const { return m_stepper.method(); }
   std::int64_t stepCount() const { return m_now.stepCount; }
@@ -49,6 +52,7 @@ class Engine {
   Energies energiesAt(double time) const;
   std::vector<StepPart> latestStep(int index) const;
   StepPart retaken(int index, const StepPart& part, const Method& method) const;
+  ExactWay exactWay(int index, const StepPart& part, double tolerance) const;
 
   EngineState state() const;
   void restore(const EngineState& state);
@@ -80,6 +84,13 @@ class Engine {
   void finishStep();
   void abandonStep(RunStatus status);
   bool isCurrent(const Upcoming& event) const;
+
+  // Pieces (engine_pieces.cpp).
+  /// Gives the weight its way up to its piece's end, or as far as an adaptive method goes.
+  /// @return  false, and m_diverged, where it cannot go on
+  bool fill(int index);
+  void beginOwnStep(const Upcoming& event);
+  void scheduleOwnStep(int index);
 
   // Foreseeing.
   void schedule(int index);
@@ -119,6 +130,10 @@ class Engine {
   template <class Value>
   std::optional<double> polished(double s, double low, double high, double rate, double tolerance,
                                  const Value& value);
+
+  /// How large a gap may be when it counts as closed [m]. The reference goes on to the last
+  /// digit of places.
+  double polishTolerance() const;
 
   // Groups in lasting contact (engine_resting.cpp).
   class Group;
@@ -161,6 +176,7 @@ class Engine {
   Solver m_solver;
   std::vector<Body> m_bodies;
   Stepper m_stepper;
+  AdaptiveStepper m_adaptiveStepper;
   ContactTolerance m_tolerance;
   Foresight m_foresight;
   double m_startEnergy = 0;
@@ -180,7 +196,9 @@ class Engine {
   std::vector<Event> m_events;
   std::vector<QuietLoss> m_quietLosses;
   std::vector<double> m_eventMoments;  // of m_events, from the start of the step [s]
+  std::int64_t m_ownSteps = 0;         // of adaptive methods, all weights together
   bool m_diverged = false;
+  bool m_stalled = false;
 };
 
 template <class Value>
@@ -192,6 +210,7 @@ std::optional<double> Engine::polished(double s, double low, double high, double
   for (int i = 0; i < 10; ++i) {
     const double here = value(guess);
     if (std::abs(here) <= tolerance) return guess;
+    if (here == previousValue) return guess;  // nothing but rounding is left
     const double next = guess - here * (guess - previous) / (here - previousValue);
     if (!(low <= next && next <= high)) return std::nullopt;
     if (std::abs(next - guess) <= 1e-15 * high) return next;

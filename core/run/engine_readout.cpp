@@ -79,28 +79,6 @@ const Piece& Engine::pieceAt(int index, double s) const {
   return *piece;
 }
 
-std::vector<StepPart> Engine::latestStep(int index) const {
-  if (m_moving.empty()) return {};
-  const Moving& moving = m_moving[index];
-  std::vector<const Piece*> pieces{&moving.piece};
-  for (int i = moving.finished; i >= 0; i = m_finished[i].previous)
-    pieces.insert(pieces.begin(), &m_finished[i].piece);
-  const double start = static_cast<double>(m_before.stepCount) * m_solver.step;
-  std::vector<StepPart> parts;
-  for (const Piece* piece : pieces)
-    if (piece->end > piece->begin)
-      parts.push_back(opened(m_bodies[index], *piece, m_stepper, start));
-  return parts;
-}
-
-StepPart Engine::retaken(int index, const StepPart& part, const Method& method) const {
-  Stepper stepper(method, m_scene->gravity, m_scene->room.friction);
-  Piece piece{.end = part.duration(), .mode = part.mode};
-  piece.beginState = part.beginState;
-  stepper.fill(m_bodies[index], piece);
-  return opened(m_bodies[index], piece, stepper, part.begin);
-}
-
 Energies Engine::energies() const {
   Energies energies;
   for (std::size_t i = 0; i < m_bodies.size(); ++i)

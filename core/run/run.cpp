@@ -23,7 +23,7 @@ std::int64_t RunState::stepCount() const {
 std::size_t RunState::bytes() const {
   return sizeof(EngineState) + m_content->weights.capacity() * sizeof(WeightRecord) +
          m_content->contacts.capacity() * sizeof(CarriedContact) +
-         m_content->pending.capacity() * sizeof(Event);
+         m_content->paces.capacity() * sizeof(Pace) + m_content->pending.capacity() * sizeof(Event);
 }
 
 Run::Run(std::shared_ptr<const Scene> scene, Solver solver)
@@ -87,12 +87,16 @@ std::vector<StepPart> Run::latestStep(int index) const {
   return m_engine->latestStep(index);
 }
 std::vector<StepPart> Run::nextStep(int index) const {
-  Engine ahead(*m_engine);
+  Engine ahead(m_engine->sharedScene(), solver());
+  ahead.restore(m_engine->state());
   ahead.advance();
   return ahead.latestStep(index);
 }
 StepPart Run::retaken(int index, const StepPart& part, const Method& method) const {
   return m_engine->retaken(index, part, method);
+}
+ExactWay Run::exactWay(int index, const StepPart& part, double tolerance) const {
+  return m_engine->exactWay(index, part, tolerance);
 }
 std::int64_t Run::slopeEvaluations() const {
   return m_engine->evaluations();

@@ -31,6 +31,7 @@ enum class RunStatus : std::uint8_t {
   kRunning,
   kDiverged,  ///< numbers stopped being finite: the last finite state is kept
   kEndless,   ///< one step held more events than a step may: the state before it is kept
+  kStalled,   ///< no step kept an adaptive method's tolerance, or it took too many: likewise
 };
 
 class Engine;
@@ -43,7 +44,8 @@ class RunState;
 class Run {
  public:
   /// @pre problemsIn(*scene) is empty; findMethod(solver.method) is not null; the solver's
-  ///      step lies in kStepRange
+  ///      step lies in kStepRange. An adaptive method takes its own steps, for every weight,
+  ///      within that step: at its end all weights stand at the same moment.
   Run(std::shared_ptr<const Scene> scene, Solver solver);
   ~Run();
   Run(Run&&) noexcept;
@@ -95,8 +97,13 @@ class Run {
   std::vector<StepPart> nextStep(int index) const;
   /// What another method makes of the same part of a step: from the same state, over the
   /// same time, with no event.
-  /// @pre part is of latestStep() or nextStep() of that weight, and has stages
+  /// @param method  offered to users
+  /// @pre part is of latestStep() or nextStep() of that weight, and the weight moves freely
   StepPart retaken(int index, const StepPart& part, const Method& method) const;
+  /// The same part without a method's error, by the reference's Taylor polynomials.
+  /// @param tolerance  of what each of them leaves out, see AdaptiveStepper; > 0
+  /// @pre as for retaken()
+  ExactWay exactWay(int index, const StepPart& part, double tolerance) const;
 
   /// Slope evaluations so far, repeated steps around events included.
   std::int64_t slopeEvaluations() const;

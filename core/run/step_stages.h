@@ -28,7 +28,8 @@ struct StepPart {
   double begin = 0;  ///< simulated time [s]
   double end = 0;    ///< simulated time [s], > begin
   /// What the entries of the states mean. Where nothing moves the weight, and where it is one
-  /// of a group in lasting contact, there are no stages: no method moves it then.
+  /// of a group in lasting contact, there are no stages: no method moves it then. Nor has the
+  /// reference any, which takes no slopes.
   Mode mode = Mode::kFlight;
   std::vector<Stage> stages;  ///< in the order they were taken
   Entries beginState = Entries::Zero();
@@ -39,6 +40,16 @@ struct StepPart {
   double duration() const { return end - begin; }
   /// What leads from the begin to the end: the mean of the slopes, d(state)/dt.
   Entries meanSlope() const { return (endState - beginState) / duration(); }
+};
+
+/// A part of a step as it would be without a method's error, from the state the part began
+/// with.
+struct ExactWay {
+  std::vector<double> times;       ///< simulated time [s], from the part's begin to its end
+  std::vector<Entries> states;     ///< one for each time
+  Eigen::Vector2d position{0, 0};  ///< of the center at the end [m]
+
+  const Entries& end() const { return states.back(); }
 };
 
 /// Opens a piece: takes the method's step from its begin to its end once more, and keeps

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/methods/method.h"
+#include "core/methods/method_list.h"
+#include "core/run/equations.h"
 #include "core/run/piece.h"
 #include "core/run/step_stages.h"
 
@@ -48,6 +49,22 @@ class Stepper {
   /// Slope evaluations so far.
   std::int64_t evaluations() const { return m_evaluations; }
   void setEvaluations(std::int64_t count) { m_evaluations = count; }
+
+  // For steps that are taken elsewhere.
+
+  /// Counts slope evaluations that were made elsewhere.
+  void count(std::int64_t evaluations) { m_evaluations += evaluations; }
+  /// Calls `use` with the method's unit.
+  /// @pre the method is in the table
+  template <class Use>
+  void withUnit(const Use& use) const {
+    withMethod(m_index, use);
+  }
+  /// Calls `use` as withEquations() does.
+  template <class Use>
+  auto withMotion(const Body& body, const Piece& piece, const Use& use) const {
+    return withEquations(body, piece, m_gravity, m_friction, use);
+  }
 
  private:
   void fillSettled(const Body& body, Piece& piece);

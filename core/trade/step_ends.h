@@ -17,24 +17,13 @@ struct StepEnd {
   double error = 0;                ///< distance from the exact place [m]
 };
 
-/// A part of a step as it would be without any method's error: from the state the part began
-/// with, by so many small steps of Runge–Kutta 4 that rounding is all that is left.
-struct ExactWay {
-  std::vector<double> times;       ///< simulated time [s], from the part's begin to its end
-  std::vector<Entries> states;     ///< one for each time
-  Eigen::Vector2d position{0, 0};  ///< of the center at the end [m]
-
-  const Entries& end() const { return states.back(); }
-};
-
-/// Small steps an exact way is made of.
-inline constexpr int kStepsOfExactWay = 1024;
-
+/// The part as it would be without a method's error, as closely as the reference goes.
 /// @pre part is of run.latestStep(weight) or nextStep(weight), and has stages
 ExactWay exactWay(const Run& run, int weight, const StepPart& part);
 
 /// The ends of these methods, in their order, beside the exact one.
-/// @pre as for exactWay(), and `exact` is of that part
+/// @param exact  of that part
+/// @pre as for exactWay(); the methods are offered to users
 std::vector<StepEnd> stepEnds(const Run& run, int weight, const StepPart& part,
                               const ExactWay& exact, const std::vector<const Method*>& methods);
 

@@ -407,9 +407,11 @@ void CommandLineTest::refusesCalls_data() {
   row("no value", "simulate one-pendulum --until", "Missing value after '--until'.");
   row("twice", "simulate one-pendulum --step 1 --step 2", "--step: stands twice");
   row("unknown method", "simulate one-pendulum --method magic",
-      "--method: must be one of euler, rk4, got \"magic\"");
-  row("method still to come", "simulate one-pendulum --method dopri5",
-      "--method: must be one of euler, rk4, got \"dopri5\"");
+      "--method: must be one of euler, semi-implicit-euler, rk4, dopri5, got \"magic\"");
+  row("method of the program's own", "simulate one-pendulum --method reference",
+      "--method: must be one of euler, semi-implicit-euler, rk4, dopri5, got \"reference\"");
+  row("step of a method with a tolerance", "simulate one-pendulum --method dopri5 --step 0.1",
+      "--step: dopri5 takes a tolerance, not a step");
   row("tolerance", "simulate one-pendulum --tolerance 1e-9",
       "--tolerance: rk4 takes a step, not a tolerance");
   row("tolerance out of range", "simulate one-pendulum --tolerance 2",

@@ -76,6 +76,7 @@ class StepStagesTest : public QObject {
   void showsTheComingStepAsItWillBe();
   void retakesThePartByAnotherMethod();
   void aWeightAtRestHasNoStages();
+  void theReferenceTakesNoSlopes();
   void lookingInsideChangesNothing();
 };
 
@@ -172,7 +173,7 @@ void StepStagesTest::theMeanOfTheSlopesLeadsToTheEnd() {
   for (const Scene& scene : {hanging(), flying()}) {
     Run run = runOf(scene, std::string(method.id), 0.01);
     run.advance();
-    const StepPart part = run.latestStep(0)[0];
+    const StepPart part = run.latestStep(0).back();  // an adaptive method takes several
     QCOMPARE(static_cast<int>(part.stages.size()), method.slopesPerStep);
     QCOMPARE(part.endPosition, run.weight(0).position);
     if (!part.stages[0].share) continue;
@@ -245,6 +246,14 @@ void StepStagesTest::aWeightAtRestHasNoStages() {
   const std::vector<StepPart> parts = run.latestStep(0);
   QCOMPARE(parts.size(), std::size_t{1});
   QVERIFY(parts[0].stages.empty());
+}
+
+void StepStagesTest::theReferenceTakesNoSlopes() {
+  Run run = runOf(hanging(), "reference", 0.1);
+  run.advance();
+  QVERIFY(!run.latestStep(0).empty());
+  for (const StepPart& part : run.latestStep(0)) QVERIFY(part.stages.empty());
+  QCOMPARE(run.latestStep(0).back().endPosition, run.weight(0).position);
 }
 
 void StepStagesTest::lookingInsideChangesNothing() {

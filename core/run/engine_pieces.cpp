@@ -1,0 +1,45 @@
+#include "core/run/engine.h"
+
+// How weights get their pieces. A method with a fixed step fills each up to the end of the
+// step; an adaptive one ends it where its tolerance does, and an event of the weight's own
+// begins the next.
+
+namespace core {
+namespace {
+
+// An adaptive method that takes more steps than this within one of the run's, for all weights
+// together and on top for each, is given up: it would take minutes.
+constexpr std::int64_t kMostOwnSteps = 1'000'000;
+constexpr std::int64_t kMostOwnStepsPerWeight = 1'000;
+
+}  // namespace
+
+bool Engine::fill(int index) {
+  Piece& piece = m_moving[index].piece;
+  if (!method().isAdaptive) {
+    m_stepper.fill(m_bodies[index], piece);
+  } else {
+    const auto count = static_cast<std::int64_t>(m_bodies.size());
+    const bool mayGoOn = ++m_ownSteps <= kMostOwnSteps + count * kMostOwnStepsPerWeight;
+    m_stalled = !mayGoOn || !m_adaptiveStepper.fill(m_bodies[index], piece, m_now.paces[index]);
+  }
+  m_diverged = m_stalled || !isFinite(index);
+  return !m_diverged;
+}
+
+void Engine::scheduleOwnStep(int index) {
+  const Piece& piece = m_moving[index].piece;
+  if (piece.end < m_solver.step) push(piece.end, index, -1, Upcoming::Kind::kOwnStep);
+}
+
+void Engine::beginOwnStep(const Upcoming& event) {
+  const Piece piece = m_moving[event.weight].piece;
+  goOn(event.weight, piece.end, piece.endState, piece.mode, piece.endState);
+}
+
+double Engine::polishTolerance() const {
+  if (method().path != PathShape::kPolynomial) return m_tolerance.gap / 4;
+  return 4e-16 * std::max(m_scene->room.width, m_scene->room.height);
+}
+
+}  // namespace core
