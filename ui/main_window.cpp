@@ -33,6 +33,7 @@
 #include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/step_panel.h"
 #include "ui/panels/weights_form.h"
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
@@ -116,8 +117,9 @@ void MainWindow::buildPanels() {
   setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
   QDockWidget* scene =
       addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
-  QDockWidget* weights = addPanel(Qt::LeftDockWidgetArea, "weights", tr("Weights"),
-                                  scrolling(new WeightsForm(m_editor)));
+  auto* weightsForm = new WeightsForm(m_editor);
+  QDockWidget* weights =
+      addPanel(Qt::LeftDockWidgetArea, "weights", tr("Weights"), scrolling(weightsForm));
   QScrollArea* runsArea = scrolling(new RunsForm(m_editor));
   // The methods are what the program is about: never scrolled away with two runs.
   runsArea->setMinimumHeight(runsArea->sizeHint().height());
@@ -128,6 +130,13 @@ void MainWindow::buildPanels() {
       addPanel(Qt::BottomDockWidgetArea, "comparison", tr("Comparison"), comparison);
   compared->setTitleBarWidget(new PanelTitle(compared, comparison->chooser()));
   tabifyDockWidget(energy, compared);
+  auto* step = new StepPanel(m_controller);
+  QDockWidget* opened = addPanel(Qt::BottomDockWidgetArea, "step", tr("Inside a step"), step);
+  opened->setTitleBarWidget(new PanelTitle(opened, step->choosers()));
+  tabifyDockWidget(compared, opened);
+  connect(step, &StepPanel::stepOpened, m_view, &SceneArea::showStep);
+  connect(step, &StepPanel::weightChosen, weightsForm, &WeightsForm::choose);
+  connect(weightsForm, &WeightsForm::weightChosen, step, &StepPanel::chooseWeight);
   energy->raise();
   tabifyDockWidget(scene, weights);
   // Their tabs are their titles.

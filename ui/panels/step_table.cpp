@@ -94,14 +94,15 @@ void StepTable::showPart(const core::StepPart& part, const core::Method& method,
   std::vector<Line> lines;
   lines.push_back({tr("Start"), part.beginState, false, {}, {}});
   for (std::size_t i = 0; i < part.stages.size(); ++i)
-    lines.push_back({stageName(i), part.stages[i].slope, true, shareText(part.stages[i], method),
-                     {}});
+    lines.push_back(
+        {stageName(i), part.stages[i].slope, true, shareText(part.stages[i], method), {}});
   lines.push_back({tr("Mean slope"), part.meanSlope(), true, {}, {}});
   for (const core::StepEnd& end : ends)
-    lines.push_back({tr("End, %1").arg(methodWords(*end.method)), end.state, false, {},
-                     figure(end.error)});
+    lines.push_back(
+        {tr("End, %1").arg(methodWords(*end.method)), end.state, false, {}, figure(end.error)});
   lines.push_back({tr("End, exact"), exact.end(), false, {}, QStringLiteral("0")});
   showLines(lines, part.mode);
+  verticalHeaderItem(rowCount() - 1)->setToolTip(tr("By a Taylor series from the same start"));
 }
 
 void StepTable::showLines(const std::vector<Line>& lines, core::Mode mode) {
@@ -109,11 +110,12 @@ void StepTable::showLines(const std::vector<Line>& lines, core::Mode mode) {
   const int count = static_cast<int>(quantities.size());
   setRowCount(static_cast<int>(lines.size()));
   setColumnCount(count + 2);
-  QStringList headers{tr("Weight")};
+  QStringList headers{tr("Share")};
   for (const StateQuantity& quantity : quantities)
-    headers << tr("%1 in %2\nslope in %3")
-                   .arg(quantity.symbol, quantity.unit, quantity.slopeUnit);
+    headers << tr("%1 in %2\nslope in %3").arg(quantity.symbol, quantity.unit, quantity.slopeUnit);
   setHorizontalHeaderLabels(headers << tr("Error\nin m"));
+  for (int column = 0; column < columnCount(); ++column)
+    horizontalHeaderItem(column)->setFont(font());
   for (int row = 0; row < rowCount(); ++row) {
     const Line& line = lines[static_cast<std::size_t>(row)];
     if (!verticalHeaderItem(row)) setVerticalHeaderItem(row, new QTableWidgetItem);

@@ -33,8 +33,8 @@ class StepTable : public QTableWidget {
  public:
   explicit StepTable(QWidget* parent = nullptr);
 
-  void showPart(const core::StepPart& part, const core::Method& method,
-                const core::ExactWay& exact, const std::vector<core::StepEnd>& ends);
+  void showPart(const core::StepPart& part, const core::Method& method, const core::ExactWay& exact,
+                const std::vector<core::StepEnd>& ends);
   void clearPart();
 
  private:

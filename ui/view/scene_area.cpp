@@ -35,6 +35,11 @@ void SceneArea::showTime(double time) {
   for (SceneView* view : m_views) view->showTime(time);
 }
 
+void SceneArea::showStep(const ShownStep* step, std::size_t run) {
+  for (std::size_t i = 0; i < m_views.size(); ++i)
+    m_views[i]->showStep(m_views.size() == 1 || i == run ? step : nullptr);
+}
+
 void SceneArea::setSplit(bool split) {
   if (split == m_split) return;
   m_split = split;

@@ -23,6 +23,9 @@ class SceneArea : public QWidget {
   /// Draws the runs at this moment [s]; call once per frame.
   void showTime(double time);
 
+  /// Opens up a step of a weight in this run; null: none.
+  void showStep(const ShownStep* step, std::size_t run);
+
   bool isSplit() const { return m_split; }
   /// In the order of the runs; one for all where they are not split.
   const std::vector<SceneView*>& views() const { return m_views; }

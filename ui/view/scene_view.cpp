@@ -53,6 +53,13 @@ class SceneView::Content {
     repaint();
   }
 
+  void showStep(const ShownStep* step) {
+    if (!step && !m_shown.step) return;
+    m_shown.step.reset();
+    if (step) m_shown.step = *step;
+    repaint();
+  }
+
   void clearTrails() {
     m_trails.clear();
     m_trails.record(m_shown.time, m_shown.runs);
@@ -212,6 +219,9 @@ void SceneView::setRuns(std::vector<const core::Run*> runs, std::size_t firstPla
 }
 void SceneView::showTime(double time) {
   m_content->showTime(time);
+}
+void SceneView::showStep(const ShownStep* step) {
+  m_content->showStep(step);
 }
 void SceneView::clearTrails() {
   m_content->clearTrails();

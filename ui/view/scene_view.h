@@ -16,6 +16,7 @@ namespace ui {
 
 class Camera;
 class Trails;
+struct ShownStep;
 
 /// Which painter draws the scene.
 enum class PainterChoice {
@@ -49,6 +50,9 @@ class SceneView : public QWidget {
   void setTrailsShown(bool shown);
   /// The trails as they are shown, for a picture; null while they are not.
   const Trails* trails() const;
+
+  /// Opens up a step of one weight over the scene; null: none.
+  void showStep(const ShownStep* step);
 
   void setPainterChoice(PainterChoice choice);
   /// The part of the room that is seen.

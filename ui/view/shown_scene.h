@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QRgb>
@@ -8,6 +9,7 @@
 
 #include "core/run/run.h"
 #include "core/scene/scene.h"
+#include "ui/view/shown_step.h"
 
 namespace ui {
 
@@ -24,6 +26,7 @@ struct ShownScene {
   std::vector<QRgb> colors;    ///< one per weight
   double time = 0;             ///< [s]
   std::vector<ShownRun> runs;  ///< the first is drawn filled, the others as outlines
+  std::optional<ShownStep> step = std::nullopt;  ///< opened up
 };
 
 /// The scene of these runs, with their names, each as it stands now.
