@@ -11,6 +11,7 @@
 #include "core/contact/broad_phase.h"
 #include "core/contact/impulse.h"
 #include "core/contact/resting.h"
+#include "core/run/batch_stepper.h"
 #include "core/run/engine_state.h"
 #include "core/run/event_queue.h"
 #include "core/run/foresight.h"
@@ -88,6 +89,7 @@ class Engine {
   // Pieces (engine_pieces.cpp).
   /// Gives the weight its way up to its piece's end, or as far as an adaptive method goes.
   /// @return  false, and m_diverged, where it cannot go on
+  void fillTogether();
   bool fill(int index);
   void beginOwnStep(const Upcoming& event);
   void scheduleOwnStep(int index);
@@ -176,6 +178,7 @@ class Engine {
   Solver m_solver;
   std::vector<Body> m_bodies;
   Stepper m_stepper;
+  BatchStepper m_batch;
   AdaptiveStepper m_adaptiveStepper;
   ContactTolerance m_tolerance;
   Foresight m_foresight;

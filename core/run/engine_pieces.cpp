@@ -27,6 +27,18 @@ bool Engine::fill(int index) {
   return !m_diverged;
 }
 
+void Engine::fillTogether() {
+  for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+    Piece& piece = m_moving[i].piece;
+    if (BatchStepper::takes(piece)) {
+      m_batch.add(m_bodies[i], piece);
+    } else {
+      m_stepper.fill(m_bodies[i], piece);
+    }
+  }
+  m_stepper.addEvaluations(m_batch.finish());
+}
+
 void Engine::scheduleOwnStep(int index) {
   const Piece& piece = m_moving[index].piece;
   if (piece.end < m_solver.step) push(piece.end, index, -1, Upcoming::Kind::kOwnStep);

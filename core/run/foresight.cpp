@@ -96,18 +96,21 @@ std::optional<Foresight::Moment> Foresight::meetingBetween(const Body& a, const 
   return Moment{from + contact->u * (to - from), contact->pressing};
 }
 
-std::optional<Foresight::WallMoment> Foresight::wall(const Body& body, const Piece& piece) const {
-  if (piece.mode == Mode::kHeld) return std::nullopt;
+std::optional<Foresight::WallMoment> Foresight::wall(const Body& body, const Piece& piece,
+                                                     const Box& box) const {
+  if (piece.mode == Mode::kHeld || isInside(box)) return std::nullopt;
   return wallBetween(body, piece, piece.begin, piece.end);
+}
+
+bool Foresight::isInside(const Box& box) const {
+  return (box.low.array() > m_tolerance.gap).all() &&
+         box.high.x() < m_room.width - m_tolerance.gap &&
+         box.high.y() < m_room.height - m_tolerance.gap;
 }
 
 std::optional<Foresight::WallMoment> Foresight::wallBetween(const Body& body, const Piece& piece,
                                                             double from, double to) const {
-  const Box box = boxOf(body, piece, from, to);
-  const bool inside = (box.low.array() > m_tolerance.gap).all() &&
-                      box.high.x() < m_room.width - m_tolerance.gap &&
-                      box.high.y() < m_room.height - m_tolerance.gap;
-  if (inside) return std::nullopt;
+  if (isInside(boxOf(body, piece, from, to))) return std::nullopt;
   if (isCoarse(body, piece, from, to)) {
     const double middle = 0.5 * (from + to);
     if (middle <= from || middle >= to) return std::nullopt;
@@ -158,10 +161,11 @@ std::optional<double> Foresight::slack(const Body& body, const Piece& piece) con
 
 std::optional<double> Foresight::slackBetween(const Body& body, const Piece& piece, double from,
                                               double to) const {
+  // Below the pivot's height gravity alone keeps the rope taut.
+  const double highest = std::abs(piece.at(from)[0]) + turnWithin(piece, from, to);
+  if (highest < 0.5 * std::numbers::pi) return std::nullopt;
   const double middle = 0.5 * (from + to);
   if (isCoarse(body, piece, from, to) && from < middle && middle < to) {
-    const double highest = std::abs(piece.at(from)[0]) + turnWithin(piece, from, to);
-    if (highest < 0.5 * std::numbers::pi) return std::nullopt;  // the weight pulls all the way
     const std::optional<double> early = slackBetween(body, piece, from, middle);
     return early ? early : slackBetween(body, piece, middle, to);
   }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/run/path_end.h"
+
 namespace core {
 namespace {
 
@@ -46,21 +48,10 @@ void Stepper::fill(const Body& body, Piece& piece) {
 }
 
 Entries Stepper::pathEndSlope(const Body& body, const Piece& piece) {
-  switch (m_method->path) {
-    case PathShape::kStraight:
-      return piece.beginSlope;
-    case PathShape::kParabola: {
-      const double duration = piece.end - piece.begin;
-      if (duration <= 0) return piece.beginSlope;
-      return 2 / duration * (piece.endState - piece.beginState) - piece.beginSlope;
-    }
-    case PathShape::kPolynomial:
-      return piece.rateAt(piece.end);
-    case PathShape::kCubic:
-    case PathShape::kQuartic:
-      break;
-  }
-  return slopeOn(body, piece, piece.endState);
+  if (m_method->path == PathShape::kPolynomial) return piece.rateAt(piece.end);
+  return core::pathEndSlope(
+      m_method->path, [&](const Entries& state) { return slopeOn(body, piece, state); },
+      piece.beginState, piece.endState, piece.beginSlope, piece.end - piece.begin);
 }
 
 void Stepper::fillSettled(const Body& body, Piece& piece) {

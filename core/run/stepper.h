@@ -49,6 +49,8 @@ class Stepper {
   /// Slope evaluations so far.
   std::int64_t evaluations() const { return m_evaluations; }
   void setEvaluations(std::int64_t count) { m_evaluations = count; }
+  /// Counts evaluations made elsewhere.
+  void addEvaluations(std::int64_t count) { m_evaluations += count; }
 
   // For steps that are taken elsewhere.
 
