@@ -11,6 +11,7 @@
 #include <QTableWidget>
 
 #include "core/recording/separation.h"
+#include "core/trade/reference.h"
 #include "ui/chart/figure_text.h"
 #include "ui/chart/redraw_limiter.h"
 #include "ui/chart/separation_chart.h"
@@ -27,6 +28,13 @@ enum Column { kName, kDistance, kDrift, kDriftShare, kEvaluations, kColumnCount 
 constexpr int kPause = 100;       // ms: figures that change faster cannot be read
 constexpr int kCellPadding = 12;  // px, both sides together
 const QString kNothing = QStringLiteral("–");
+
+/// Which run is the reference; −1 if none is.
+int referenceAmong(const std::vector<const core::Run*>& runs) {
+  const auto found = std::ranges::find_if(
+      runs, [](const core::Run* run) { return core::isReference(run->solver()); });
+  return found == runs.end() ? -1 : static_cast<int>(found - runs.begin());
+}
 
 QTableWidgetItem* figureItem() {
   auto* item = new QTableWidgetItem;
@@ -80,6 +88,9 @@ void ComparisonPanel::buildTable() {
   m_table->horizontalHeaderItem(kEvaluations)->setToolTip(tr("Slope evaluations so far"));
   m_table->setAccessibleName(tr("Runs in figures"));
   m_table->verticalHeader()->hide();
+  // Long names take two lines.
+  m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kCellPadding);
+  m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   QHeaderView* header = m_table->horizontalHeader();
   header->setSectionResizeMode(QHeaderView::ResizeToContents);
   header->setSectionResizeMode(kName, QHeaderView::Stretch);
@@ -105,7 +116,10 @@ void ComparisonPanel::listRuns() {
       m_table->setItem(i, column, column == kName ? new QTableWidgetItem(name) : figureItem());
     m_table->item(i, kName)->setToolTip(name);  // where it is cut off
   }
-  m_chooser->setCurrentIndex(std::clamp(chosen, 0, count - 1));
+  const int reference = referenceAmong(m_controller->runs());
+  const bool isNew = reference >= 0 && !m_hadReference;
+  m_hadReference = reference >= 0;
+  m_chooser->setCurrentIndex(isNew ? reference : std::clamp(chosen, 0, count - 1));
   m_chooser->setVisible(count > 1);
   paintMarks();
   chooseBase();

@@ -46,6 +46,7 @@ class ComparisonPanel : public QWidget {
   QTableWidget* m_table;
   SeparationChart* m_chart;
   RedrawLimiter* m_limiter;
+  bool m_hadReference = false;  // a new one becomes what the others are compared with
 };
 
 }  // namespace ui

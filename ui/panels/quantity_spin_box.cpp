@@ -39,7 +39,8 @@ void QuantitySpinBox::setShownText(const QString& text) {
 }
 
 void QuantitySpinBox::showValue(double value) {
-  const QString number = m_style.arrowsDouble ? fractionText(value) : quantityText(value);
+  const bool asFraction = m_style.arrowsDouble && !m_style.range.unit.empty();
+  const QString number = asFraction ? fractionText(value) : quantityText(value);
   const QString space = unit().isEmpty() || unit() == "°" ? QString() : QStringLiteral(" ");
   setShownText(number + space + unit());
 }

@@ -12,7 +12,7 @@ namespace ui {
 struct QuantityStyle {
   core::Range range;          ///< as shown: degrees for angles
   double arrowStep = 0.1;     ///< added or taken away by an arrow, > 0
-  bool arrowsDouble = false;  ///< arrows double and halve instead, and 1/240 is shown so
+  bool arrowsDouble = false;  ///< arrows double and halve instead, and 1/240 s is shown so
   bool wholeNumbers = false;  ///< 3.5 is refused
 };
 

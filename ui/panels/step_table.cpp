@@ -114,8 +114,8 @@ void StepTable::showLines(const std::vector<Line>& lines, core::Mode mode) {
   for (const StateQuantity& quantity : quantities)
     headers << tr("%1 in %2\nslope in %3").arg(quantity.symbol, quantity.unit, quantity.slopeUnit);
   setHorizontalHeaderLabels(headers << tr("Error\nin m"));
-  for (int column = 0; column < columnCount(); ++column)
-    horizontalHeaderItem(column)->setFont(font());
+  // A header keeps a smaller font of its own.
+  horizontalHeader()->setFont(font());
   for (int row = 0; row < rowCount(); ++row) {
     const Line& line = lines[static_cast<std::size_t>(row)];
     if (!verticalHeaderItem(row)) setVerticalHeaderItem(row, new QTableWidgetItem);

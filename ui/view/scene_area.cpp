@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/run/run.h"
+#include "ui/view/camera.h"
 
 namespace ui {
 
@@ -71,10 +72,7 @@ void SceneArea::addView() {
   view->setPainterChoice(m_choice);
   view->setTrailsShown(m_trailsShown);
   connect(view, &SceneView::painterChanged, this, &SceneArea::painterChanged);
-  connect(view, &SceneView::cameraMoved, this, [this, view] {
-    for (SceneView* other : m_views)
-      if (other != view) other->follow(*view);
-  });
+  connect(view, &SceneView::cameraMoved, this, [this, view] { followOne(view); });
   m_views.push_back(view);
   view->show();
 }
@@ -102,8 +100,21 @@ void SceneArea::arrange() {
   for (int i = 0; i < static_cast<int>(m_views.size()); ++i) {
     const QPoint corner(i % columns * (size.width() + kGap), i / columns * (size.height() + kGap));
     m_views[i]->setGeometry(QRect(corner, size));
-    if (!m_views.front()->isFitted()) m_views[i]->follow(*m_views.front());
   }
+  followOne(m_views.front());
+}
+
+/// All see what one sees; or where it shows the whole room, what the one with the highest title
+/// sees, so that no title lies over its room.
+void SceneArea::followOne(const SceneView* leader) {
+  const auto middle = [](const SceneView* view) {
+    return view->camera().toMetres(QRectF(view->rect()).center()).y();
+  };
+  if (leader->isFitted())
+    for (const SceneView* view : m_views)
+      if (view->isFitted() && middle(view) > middle(leader)) leader = view;
+  for (SceneView* view : m_views)
+    if (view != leader) view->follow(*leader);
 }
 
 int SceneArea::columnsFor(QSizeF room) const {

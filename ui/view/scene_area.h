@@ -53,6 +53,7 @@ class SceneArea : public QWidget {
   void setViewCount(std::size_t count);
   void addView();
   void arrange();
+  void followOne(const SceneView* leader);
   int columnsFor(QSizeF room) const;
 
   std::vector<const core::Run*> m_runs;

@@ -1,11 +1,7 @@
 #include "ui/view/shown_scene.h"
 
-#include <cmath>
-
-#include <QCoreApplication>
-#include <QLocale>
-
 #include "core/scene/arrangement.h"
+#include "ui/control/run_words.h"
 
 namespace ui {
 
@@ -15,24 +11,7 @@ QRgb rgbOf(core::Color color) {
   return qRgb(color.red, color.green, color.blue);
 }
 
-QString stepText(double step) {
-  const double perSecond = 1 / step;
-  const double whole = std::round(perSecond);
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  // A fraction reads better, where it is one: to the digits a person would have typed.
-  if (whole > 1 && std::abs(perSecond - whole) < 1e-4 * whole)
-    return QStringLiteral("1/%1").arg(locale.toString(whole, 'f', 0));
-  return locale.toString(step, 'g', 4);
-}
-
 }  // namespace
-
-QString solverText(std::string_view methodName, double step) {
-  const QString method =
-      QString::fromUtf8(methodName.data(), static_cast<qsizetype>(methodName.size()));
-  return QCoreApplication::translate("ui::SceneView", "%1, %2 s").arg(method, stepText(step));
-}
 
 ShownScene shownScene(const std::vector<const core::Run*>& runs, std::size_t firstPlace) {
   ShownScene shown;
@@ -44,7 +23,7 @@ ShownScene shownScene(const std::vector<const core::Run*>& runs, std::size_t fir
   shown.time = runs.front()->time();
   for (const core::Run* run : runs) {
     const std::size_t place = firstPlace + shown.runs.size();
-    shown.runs.push_back({solverText(run->method().name, run->solver().step), place, {}});
+    shown.runs.push_back({runWords(run->solver()), place, {}});
     for (int i = 0; i < count; ++i) shown.runs.back().weights.push_back(run->weight(i));
   }
   return shown;

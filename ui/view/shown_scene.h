@@ -38,7 +38,4 @@ ShownScene shownScene(const std::vector<const core::Run*>& runs, std::size_t fir
 /// @param time  [s], inside the latest step of every run
 void readWeights(const std::vector<const core::Run*>& runs, double time, ShownScene& shown);
 
-/// Method and step as a person would say it: "Euler, 1/60 s".
-QString solverText(std::string_view methodName, double step);
-
 }  // namespace ui

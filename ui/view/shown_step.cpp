@@ -32,7 +32,7 @@ double enlargementOf(const ShownStep& step, const Camera& camera) {
   return enlargement;
 }
 
-void drawStep(const ShownStep& step, const Camera& camera, const SceneLook& look,
+void drawStep(const ShownStep& step, double top, const Camera& camera, const SceneLook& look,
               Drawing& drawing) {
   const double enlargement = enlargementOf(step, camera);
   const auto placed = [&](const Eigen::Vector2d& place) -> Eigen::Vector2d {
@@ -53,7 +53,7 @@ void drawStep(const ShownStep& step, const Camera& camera, const SceneLook& look
   if (enlargement == 1) return;
   const QString note = QCoreApplication::translate("ui::SceneView", "step drawn %1 times as large")
                            .arg(QLocale().toString(enlargement, 'g', 7));
-  const QPointF corner(kEdge, look.headerHeight + kEdge + 1.3 * lineHeight(look.font));
+  const QPointF corner(kEdge, top);
   drawing.texts.push_back({camera.toMetres(corner), QPointF(0, 0), note, look.font,
                            look.theme.faintText.rgb(), withOpacity(look.theme.background, 0.85)});
 }

@@ -33,6 +33,8 @@ double enlargementOf(const ShownStep& step, const Camera& camera);
 
 /// Adds the slopes as arrows, from where they were taken along where they lead, and where the
 /// step starts and ends; a note says how much larger it is drawn.
-void drawStep(const ShownStep& step, const Camera& camera, const SceneLook& look, Drawing& drawing);
+/// @param top  of the note [px]
+void drawStep(const ShownStep& step, double top, const Camera& camera, const SceneLook& look,
+              Drawing& drawing);
 
 }  // namespace ui
