@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+#include "core/trade/reference.h"
+
 namespace {
 
 core::Weight swingingWeight() {
@@ -207,5 +209,4 @@ void SceneFileTest::refusesOneWeightTooMany() {
 }
 
 QTEST_GUILESS_MAIN(SceneFileTest)
-#include "core/trade/reference.h"
 #include "scene_file_test.moc"
