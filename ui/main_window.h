@@ -13,6 +13,7 @@ namespace ui {
 class Appearance;
 class Commands;
 class EnergyPanel;
+class EventNavigator;
 class Exports;
 class FrameTicker;
 class MainMenu;
@@ -22,6 +23,7 @@ class RunController;
 class SceneArea;
 class SceneEditor;
 class SceneFiles;
+class TradeWindow;
 
 /// The window: the scene in the middle, forms at its side, the energy chart below. Puts the
 /// parts together and passes on what they say; each part does its own work.
@@ -66,10 +68,12 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showPainter();
   void changeSpeed(int steps);
+  void showTrade();
 
   Appearance* m_appearance;
   SceneEditor* m_editor;
   RunController* m_controller;
+  EventNavigator* m_events;
   FrameTicker* m_ticker;
   Commands* m_commands;
   SceneFiles* m_files;
@@ -82,7 +86,8 @@ class MainWindow : public QMainWindow {
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
-  bool m_panelsSized = false;  // once: from then on the user decides
+  TradeWindow* m_trade = nullptr;  // made when it is wanted first
+  bool m_panelsSized = false;      // once: from then on the user decides
 };
 
 }  // namespace ui

@@ -139,7 +139,7 @@ AdaptiveStepper::Attempt AdaptiveStepper::attempted(const Body& body, const Piec
       });
     }
   });
-  m_stepper->count(m_stepper->method().slopesPerStep - 1);
+  m_stepper->addEvaluations(m_stepper->method().slopesPerStep - 1);
   return attempt;
 }
 
@@ -154,7 +154,7 @@ bool AdaptiveStepper::fillSeries(const Body& body, Piece& piece) {
   m_stepper->withMotion(body, piece, [&](const auto& motion, auto form) {
     series = form.series(motion.series(form.from(piece.beginState)), piece.beginState[1]);
   });
-  m_stepper->count(1);
+  m_stepper->addEvaluations(1);
   double reach = kLongestStep;
   for (int i = 0; i < 4; ++i) {
     const double error = kTermShare * m_tolerance * (1 + std::abs(piece.beginState[i]));

@@ -87,9 +87,9 @@ class Engine {
   bool isCurrent(const Upcoming& event) const;
 
   // Pieces (engine_pieces.cpp).
+  void fillTogether();
   /// Gives the weight its way up to its piece's end, or as far as an adaptive method goes.
   /// @return  false, and m_diverged, where it cannot go on
-  void fillTogether();
   bool fill(int index);
   void beginOwnStep(const Upcoming& event);
   void scheduleOwnStep(int index);
@@ -118,6 +118,7 @@ class Engine {
   void passApex(const Upcoming& event);
   void goSlack(const Upcoming& event);
   void goTaut(const Upcoming& event);
+  double clearAngle(int index, double s, double angle);
   void stopSliding(const Upcoming& event);
 
   /// Ends the weight's piece at s in state `before` and starts another one from `after`.
@@ -133,9 +134,10 @@ class Engine {
   std::optional<double> polished(double s, double low, double high, double rate, double tolerance,
                                  const Value& value);
 
-  /// How large a gap may be when it counts as closed [m]. The reference goes on to the last
-  /// digit of places.
-  double polishTolerance() const;
+  /// How large a gap that counts as closed may be [m].
+  double polishTolerance() const { return m_tolerance.gap / 4; }
+  /// Below that gap polishing ends [m]: the reference goes on to the last digit of places.
+  double finestGap() const;
 
   // Groups in lasting contact (engine_resting.cpp).
   class Group;
@@ -207,21 +209,24 @@ class Engine {
 template <class Value>
 std::optional<double> Engine::polished(double s, double low, double high, double rate,
                                        double tolerance, const Value& value) {
+  const double wanted = std::min(tolerance, finestGap());
   double previous = s, previousValue = value(s);
-  if (std::abs(previousValue) <= tolerance) return s;
+  if (std::abs(previousValue) <= wanted) return s;
+  std::optional<double> close;  // the latest guess within the tolerance
+  if (std::abs(previousValue) <= tolerance) close = s;
   double guess = std::clamp(s - previousValue / rate, low, high);
   for (int i = 0; i < 10; ++i) {
     const double here = value(guess);
-    if (std::abs(here) <= tolerance) return guess;
-    if (here == previousValue) return guess;  // nothing but rounding is left
+    if (std::abs(here) <= wanted) return guess;
+    if (std::abs(here) <= tolerance) close = guess;
     const double next = guess - here * (guess - previous) / (here - previousValue);
-    if (!(low <= next && next <= high)) return std::nullopt;
+    if (!(low <= next && next <= high)) return close;
     if (std::abs(next - guess) <= 1e-15 * high) return next;
     previous = guess;
     previousValue = here;
     guess = next;
   }
-  return std::nullopt;
+  return close;
 }
 
 }  // namespace core

@@ -242,13 +242,15 @@ void Engine::logRest(int index, double s, const Entries& state) {
 bool Engine::joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal) {
   const int a = event.weight, b = event.other;
   if (event.pressing || approach <= m_tolerance.speed) return true;
+  const bool settled = m_moving[a].piece.settled || m_moving[b].piece.settled;
+  // A bounce off one that lies, if it is over in no time: else the two share that time out.
+  if (settled && 2 * approach < m_scene->gravity * m_solver.step * kLastDuration) return true;
   if (m_scene->restitution >= 1 && m_scene->room.restitution >= 1) return false;
   const int meetings = std::max(++m_moving[a].meetings, ++m_moving[b].meetings);
   const double steps = std::max(1.0, m_solver.step * 60);
   if (meetings > kMostMeetings * steps) return true;
   // Between two solves a settled weight moves with the velocity a whole stretch of gravity
   // gave it: so slow a hit is a lean.
-  const bool settled = m_moving[a].piece.settled || m_moving[b].piece.settled;
   if (isSupported(a) && isSupported(b))
     return settled && approach <= 2 * m_scene->gravity * boundaryAfter(0);
   if (!isSupported(a) && !isSupported(b)) return false;

@@ -19,9 +19,7 @@ bool Engine::fill(int index) {
   if (!method().isAdaptive) {
     m_stepper.fill(m_bodies[index], piece);
   } else {
-    const auto count = static_cast<std::int64_t>(m_bodies.size());
-    const bool mayGoOn = ++m_ownSteps <= kMostOwnSteps + count * kMostOwnStepsPerWeight;
-    m_stalled = !mayGoOn || !m_adaptiveStepper.fill(m_bodies[index], piece, m_now.paces[index]);
+    m_stalled = !m_adaptiveStepper.fill(m_bodies[index], piece, m_now.paces[index]);
   }
   m_diverged = m_stalled || !isFinite(index);
   return !m_diverged;
@@ -45,12 +43,17 @@ void Engine::scheduleOwnStep(int index) {
 }
 
 void Engine::beginOwnStep(const Upcoming& event) {
+  const auto count = static_cast<std::int64_t>(m_bodies.size());
+  if (++m_ownSteps > kMostOwnSteps + count * kMostOwnStepsPerWeight) {
+    m_diverged = m_stalled = true;
+    return;
+  }
   const Piece piece = m_moving[event.weight].piece;
   goOn(event.weight, piece.end, piece.endState, piece.mode, piece.endState);
 }
 
-double Engine::polishTolerance() const {
-  if (method().path != PathShape::kPolynomial) return m_tolerance.gap / 4;
+double Engine::finestGap() const {
+  if (method().path != PathShape::kPolynomial) return polishTolerance();
   return 4e-16 * std::max(m_scene->room.width, m_scene->room.height);
 }
 

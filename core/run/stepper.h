@@ -52,10 +52,6 @@ class Stepper {
   /// Counts evaluations made elsewhere.
   void addEvaluations(std::int64_t count) { m_evaluations += count; }
 
-  // For steps that are taken elsewhere.
-
-  /// Counts slope evaluations that were made elsewhere.
-  void count(std::int64_t evaluations) { m_evaluations += evaluations; }
   /// Calls `use` with the method's unit.
   /// @pre the method is in the table
   template <class Use>

@@ -1,24 +1,17 @@
 #include "core/trade/stability.h"
 
-#include <cmath>
 #include <cstdint>
 
 #include "core/run/run.h"
 #include "core/scene/scene_limits.h"
+#include "core/trade/rounded_step.h"
 
 namespace core {
 namespace {
 
-/// Weight-steps all trials together may take.
+/// Weight-steps and events all trials together may take.
 constexpr std::int64_t kMostWork = 4'000'000;
 constexpr int kBisections = 6;
-
-/// Down to two digits: 0.0123 becomes 0.012.
-double roundedDown(double step) {
-  const double digit = std::pow(10, std::floor(std::log10(step)) - 1);
-  // A step that has two digits already may be a last digit below them.
-  return std::floor(step / digit * (1 + 1e-12)) * digit;
-}
 
 /// Runs a scene with different steps, until the work is used up.
 class Trials {
@@ -37,7 +30,11 @@ class Trials {
     }
     while (run.time() < m_until) {
       m_left -= workPerStep;
-      if (run.advance() == RunStatus::kRunning) continue;
+      if (m_left < 0) return false;
+      if (run.advance() == RunStatus::kRunning) {
+        m_left -= static_cast<std::int64_t>(run.stepEvents().size());
+        continue;
+      }
       // A step that never ends takes seconds to be given up.
       if (run.status() == RunStatus::kEndless) m_left -= kMostWork / 4;
       return false;

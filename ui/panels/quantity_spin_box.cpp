@@ -39,8 +39,7 @@ void QuantitySpinBox::setShownText(const QString& text) {
 }
 
 void QuantitySpinBox::showValue(double value) {
-  const bool asFraction = m_style.arrowsDouble && !m_style.range.unit.empty();
-  const QString number = asFraction ? fractionText(value) : quantityText(value);
+  const QString number = m_style.arrowsDouble ? fractionText(value) : quantityText(value);
   const QString space = unit().isEmpty() || unit() == "°" ? QString() : QStringLiteral(" ");
   setShownText(number + space + unit());
 }
@@ -67,6 +66,7 @@ void QuantitySpinBox::setMarked(bool marked) {
 
 double QuantitySpinBox::stepped(double value, int steps) const {
   if (m_style.arrowsDouble) return std::ldexp(value, steps);
+  if (m_style.arrowsTenfold) return value * std::pow(10.0, steps);
   // On whole multiples of the arrow's step, so that 9.81 goes to 9.9 and back to 9.8.
   const double multiples = value / m_style.arrowStep;
   const double nearest = std::round(multiples);

@@ -58,7 +58,7 @@ void RunsForm::addHeadings() {
 void RunsForm::addRun(int index) {
   m_runs.push_back({new QCheckBox, new QLabel, new QComboBox,
                     new QuantityField({.range = core::kStepRange, .arrowsDouble = true}),
-                    new QuantityField({.range = core::kToleranceRange, .arrowsDouble = true}),
+                    new QuantityField({.range = core::kToleranceRange, .arrowsTenfold = true}),
                     firstSolver(index)});
   const Row& row = m_runs.back();
   fillMethods(row.method, index);
