@@ -142,6 +142,7 @@ void MainWindow::buildPanels() {
   QDockWidget* opened = addPanel(Qt::BottomDockWidgetArea, "step", tr("Inside a step"), step);
   opened->setTitleBarWidget(new PanelTitle(opened, step->choosers()));
   tabifyDockWidget(compared, opened);
+  connect(opened, &QDockWidget::visibilityChanged, step, &StepPanel::setSeen);
   connect(step, &StepPanel::stepOpened, m_view, &SceneArea::showStep);
   connect(step, &StepPanel::weightChosen, weightsForm, &WeightsForm::choose);
   connect(weightsForm, &WeightsForm::weightChosen, step, &StepPanel::chooseWeight);

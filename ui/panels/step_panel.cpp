@@ -95,6 +95,15 @@ int StepPanel::chosenRun() const {
   return m_run->currentIndex();
 }
 
+void StepPanel::setSeen(bool seen) {
+  m_isSeen = seen;
+  if (seen) {
+    m_limiter->hurry();
+  } else {
+    emit stepOpened(nullptr, 0);
+  }
+}
+
 void StepPanel::listRuns() {
   {
     const QSignalBlocker quietRun(m_run), quietWeight(m_weight);
@@ -111,7 +120,7 @@ void StepPanel::listRuns() {
 }
 
 void StepPanel::openStep() {
-  if (!isVisible() || m_run->currentIndex() < 0) return;
+  if (!isVisible() || !m_isSeen || m_run->currentIndex() < 0) return;
   const core::Run& run = m_controller->run(chosenRun());
   m_parts.clear();
   if (m_weight->value() > 0) {

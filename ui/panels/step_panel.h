@@ -35,6 +35,8 @@ class StepPanel : public QWidget {
   /// @param number  counted from 1; 0, all weights, keeps the one chosen
   void chooseWeight(int number);
   int chosenRun() const;
+  /// Whether the panel lies open to the user: one behind another tab only seems visible.
+  void setSeen(bool seen);
 
  signals:
   /// The user chose another weight, counted from 1.
@@ -70,6 +72,7 @@ class StepPanel : public QWidget {
   StepPlot* m_plot;
   RedrawLimiter* m_limiter;
   std::vector<core::StepPart> m_parts;
+  bool m_isSeen = true;
   bool m_isComing = false;  // the parts are of the step to come
 };
 

@@ -140,6 +140,10 @@ void StepPanelTest::opensTheStepInTheSceneWhileItIsSeen() {
   // The second slope: −0.25 m/s along (cos 30°, sin 30°), for 0.1 s.
   const Eigen::Vector2d way = -0.025 * Eigen::Vector2d(std::sqrt(3) / 2, 0.5);
   QVERIFY((opened->slopes[1].way - way).norm() < 1e-12);
+  m_panel->setSeen(false);  // behind another tab
+  QVERIFY(!opened);
+  m_panel->setSeen(true);
+  QVERIFY(opened.has_value());
   m_panel->hide();
   QVERIFY(!opened);
 }
