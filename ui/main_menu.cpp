@@ -67,8 +67,9 @@ void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {
   m_view = bar->addMenu(tr("&View"));
   m_panels = m_view->addMenu(tr("&Panels"));
   m_view->addSeparator();
-  addCommands(m_view, commands,
-              {Command::kTrails, Command::kFit, Command::kZoomIn, Command::kZoomOut});
+  addCommands(
+      m_view, commands,
+      {Command::kSplit, Command::kTrails, Command::kFit, Command::kZoomIn, Command::kZoomOut});
   m_view->addSeparator();
 }
 

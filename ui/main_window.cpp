@@ -26,6 +26,7 @@
 #include "ui/control/settings.h"
 #include "ui/control/time_commands.h"
 #include "ui/main_menu.h"
+#include "ui/panels/comparison_panel.h"
 #include "ui/panels/energy_panel.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/help_dialogs.h"
@@ -35,13 +36,14 @@
 #include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/step_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/panels/trade_window.h"
 #include "ui/panels/travel_bar.h"
 #include "ui/panels/weights_form.h"
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
-#include "ui/view/scene_view.h"
+#include "ui/view/scene_area.h"
 
 namespace ui {
 namespace {
@@ -79,7 +81,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
       m_ticker(new FrameTicker(this)),
       m_commands(new Commands(this)),
       m_files(new SceneFiles(m_editor, file, this)),
-      m_view(new SceneView),
+      m_view(new SceneArea),
       m_playback(new PlaybackBar(*m_commands)),
       m_energy(new EnergyPanel(m_controller)) {
   m_exports = new Exports(
@@ -123,13 +125,27 @@ void MainWindow::buildPanels() {
   setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
   QDockWidget* scene =
       addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
-  QDockWidget* weights = addPanel(Qt::LeftDockWidgetArea, "weights", tr("Weights"),
-                                  scrolling(new WeightsForm(m_editor)));
+  auto* weightsForm = new WeightsForm(m_editor);
+  QDockWidget* weights =
+      addPanel(Qt::LeftDockWidgetArea, "weights", tr("Weights"), scrolling(weightsForm));
   QScrollArea* runsArea = scrolling(new RunsForm(m_editor));
   // The methods are what the program is about: never scrolled away with two runs.
   runsArea->setMinimumHeight(runsArea->sizeHint().height());
   QDockWidget* runs = addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), runsArea);
   QDockWidget* energy = addPanel(Qt::BottomDockWidgetArea, "energy", tr("Energy"), m_energy);
+  auto* comparison = new ComparisonPanel(m_controller);
+  QDockWidget* compared =
+      addPanel(Qt::BottomDockWidgetArea, "comparison", tr("Comparison"), comparison);
+  compared->setTitleBarWidget(new PanelTitle(compared, comparison->chooser()));
+  tabifyDockWidget(energy, compared);
+  auto* step = new StepPanel(m_controller);
+  QDockWidget* opened = addPanel(Qt::BottomDockWidgetArea, "step", tr("Inside a step"), step);
+  opened->setTitleBarWidget(new PanelTitle(opened, step->choosers()));
+  tabifyDockWidget(compared, opened);
+  connect(opened, &QDockWidget::visibilityChanged, step, &StepPanel::setSeen);
+  connect(step, &StepPanel::stepOpened, m_view, &SceneArea::showStep);
+  connect(step, &StepPanel::weightChosen, weightsForm, &WeightsForm::choose);
+  connect(weightsForm, &WeightsForm::weightChosen, step, &StepPanel::chooseWeight);
   auto* eventsPanel = new EventsPanel(m_controller, m_events);
   QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
   tabifyDockWidget(scene, weights);
@@ -220,6 +236,9 @@ void MainWindow::connectScene() {
   // Before anything draws the new runs: the old ones are gone.
   connect(m_controller, &RunController::restarted, this,
           [this] { m_view->setRuns(m_controller->runs()); });
+  connect(m_controller, &RunController::restarted, this, [this] {
+    m_commands->action(Command::kSplit)->setEnabled(m_controller->runCount() > 1);
+  });
   connect(m_controller, &RunController::restarted, this, &MainWindow::showStopped);
   connect(m_editor, &SceneEditor::sceneReplaced, m_controller, &RunController::pause);
   connect(m_editor, &SceneEditor::sceneChanged, this, &MainWindow::startScene);
@@ -254,12 +273,13 @@ void MainWindow::connectFiles() {
 }
 
 void MainWindow::connectView() {
+  connect(m_commands->action(Command::kSplit), &QAction::toggled, m_view, &SceneArea::setSplit);
   connect(m_commands->action(Command::kTrails), &QAction::toggled, m_view,
-          &SceneView::setTrailsShown);
-  connect(m_commands->action(Command::kFit), &QAction::triggered, m_view, &SceneView::fitRoom);
-  connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneView::zoomIn);
-  connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneView::zoomOut);
-  connect(m_view, &SceneView::painterChanged, this, &MainWindow::showPainter);
+          &SceneArea::setTrailsShown);
+  connect(m_commands->action(Command::kFit), &QAction::triggered, m_view, &SceneArea::fitRoom);
+  connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneArea::zoomIn);
+  connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneArea::zoomOut);
+  connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
   m_view->setPainterChoice(Settings().painter());
   showPainter();
 }

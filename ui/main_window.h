@@ -20,9 +20,9 @@ class MainMenu;
 class MessageBar;
 class PlaybackBar;
 class RunController;
+class SceneArea;
 class SceneEditor;
 class SceneFiles;
-class SceneView;
 class TradeWindow;
 
 /// The window: the scene in the middle, forms at its side, the energy chart below. Puts the
@@ -80,7 +80,7 @@ class MainWindow : public QMainWindow {
   Exports* m_exports;
 
   MainMenu* m_menu;
-  SceneView* m_view;
+  SceneArea* m_view;
   PlaybackBar* m_playback;
   EnergyPanel* m_energy;
   MessageBar* m_problemBar;

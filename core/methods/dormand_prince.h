@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/methods/method.h"
 #include "core/methods/stages.h"
 
@@ -12,12 +14,17 @@ namespace core {
 /// Whoever takes the steps chooses them by the error; one step alone has error O(h⁶).
 /// Source: Hairer, Nørsett & Wanner, Solving ODEs I, 2nd ed. (1993), table II.5.2 and §II.6.
 struct DormandPrince {
+  static constexpr std::array kNodes{0., 1. / 5, 3. / 10, 4. / 5, 8. / 9, 1., 1.};
+  static constexpr std::array kShares{35. / 384,     0.,       500. / 1113, 125. / 192,
+                                      -2187. / 6784, 11. / 84, 0.};
   static constexpr Method kRow{.id = "dopri5",
                                .name = "Dormand–Prince 5(4)",
                                .order = 5,
                                .slopesPerStep = 7,
                                .path = PathShape::kQuartic,
-                               .isAdaptive = true};
+                               .isAdaptive = true,
+                               .nodes = kNodes,
+                               .shares = kShares};
 
   /// Pure: the result depends on the arguments alone.
   ///

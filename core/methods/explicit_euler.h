@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/methods/method.h"
 #include "core/methods/stages.h"
 
@@ -7,11 +9,15 @@ namespace core {
 
 /// Forward Euler: the slope at the start is held for the whole step. Global error O(h).
 struct ExplicitEuler {
+  static constexpr std::array kNodes{0.0};
+  static constexpr std::array kShares{1.0};
   static constexpr Method kRow{.id = "euler",
                                .name = "Euler (explicit)",
                                .order = 1,
                                .slopesPerStep = 1,
-                               .path = PathShape::kStraight};
+                               .path = PathShape::kStraight,
+                               .nodes = kNodes,
+                               .shares = kShares};
 
   /// Pure: the result depends on the arguments alone.
   ///

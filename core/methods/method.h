@@ -27,6 +27,11 @@ struct Method {
   bool isAdaptive = false;
   /// Users may choose it; else it is for the program's own use.
   bool isOffered = true;
+  /// Where in the step each slope is taken: 0 at its start, 1 at its end.
+  std::span<const double> nodes = {};
+  /// Weights of the mean of the slopes that carries the state to the end; their sum is 1. None
+  /// where the end follows from the slopes in another way.
+  std::span<const double> shares = {};
 
   /// Whether a kink inside a step would cost the method its order, so that steps are split
   /// there.

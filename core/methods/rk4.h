@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/methods/method.h"
 #include "core/methods/stages.h"
 
@@ -7,11 +9,15 @@ namespace core {
 
 /// Classical Runge–Kutta: a weighted mean of four slopes. Global error O(h⁴).
 struct RungeKutta4 {
+  static constexpr std::array kNodes{0.0, 1.0 / 2, 1.0 / 2, 1.0};
+  static constexpr std::array kShares{1.0 / 6, 2.0 / 6, 2.0 / 6, 1.0 / 6};
   static constexpr Method kRow{.id = "rk4",
                                .name = "Runge–Kutta 4",
                                .order = 4,
                                .slopesPerStep = 4,
-                               .path = PathShape::kCubic};
+                               .path = PathShape::kCubic,
+                               .nodes = kNodes,
+                               .shares = kShares};
 
   /// Pure: the result depends on the arguments alone.
   ///

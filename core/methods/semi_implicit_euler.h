@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <type_traits>
 
 #include "core/methods/method.h"
@@ -12,11 +13,13 @@ namespace core {
 /// places by the new rates. Global error O(h), but the energy of a swing without air neither
 /// grows nor falls for long.
 struct SemiImplicitEuler {
+  static constexpr std::array kNodes{0.0};
   static constexpr Method kRow{.id = "semi-implicit-euler",
                                .name = "Euler (semi-implicit)",
                                .order = 1,
                                .slopesPerStep = 1,
-                               .path = PathShape::kParabola};
+                               .path = PathShape::kParabola,
+                               .nodes = kNodes};
 
   /// Pure: the result depends on the arguments alone.
   ///

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace core {
 
 /// Where the energy of a scene is and went, all in [J].
@@ -18,6 +20,13 @@ struct Energies {
   /// Everything but the drift: would equal the start energy if the method were exact.
   double accounted() const {
     return kinetic + potential + lostToAir + lostToImpacts + lostToRopes + lostToFriction;
+  }
+
+  /// Drift as a share of the energy at the start [-]; nothing where that was zero.
+  std::optional<double> driftShare() const {
+    const double start = accounted() - numericalDrift;
+    if (start == 0) return std::nullopt;
+    return numericalDrift / start;
   }
 };
 

@@ -29,8 +29,11 @@ namespace core {
 class Engine {
  public:
   Engine(std::shared_ptr<const Scene> scene, Solver solver);
+  Engine(const Engine&) = delete;  // parts know each other
+  Engine& operator=(const Engine&) = delete;
 
   const Scene& scene() const { return *m_scene; }
+  const std::shared_ptr<const Scene>& sharedScene() const { return m_scene; }
   const Solver& solver() const { return m_solver; }
   const Method& method() const { return m_stepper.method(); }
   std::int64_t stepCount() const { return m_now.stepCount; }
@@ -48,6 +51,9 @@ class Engine {
   WeightState weightAt(int index, double time) const;
   Energies energies() const;
   Energies energiesAt(double time) const;
+  std::vector<StepPart> latestStep(int index) const;
+  StepPart retaken(int index, const StepPart& part, const Method& method) const;
+  ExactWay exactWay(int index, const StepPart& part, double tolerance) const;
 
   EngineState state() const;
   void restore(const EngineState& state);

@@ -83,6 +83,21 @@ double Run::startEnergy() const {
 std::span<const Event> Run::stepEvents() const {
   return m_engine->stepEvents();
 }
+std::vector<StepPart> Run::latestStep(int index) const {
+  return m_engine->latestStep(index);
+}
+std::vector<StepPart> Run::nextStep(int index) const {
+  Engine ahead(m_engine->sharedScene(), solver());
+  ahead.restore(m_engine->state());
+  ahead.advance();
+  return ahead.latestStep(index);
+}
+StepPart Run::retaken(int index, const StepPart& part, const Method& method) const {
+  return m_engine->retaken(index, part, method);
+}
+ExactWay Run::exactWay(int index, const StepPart& part, double tolerance) const {
+  return m_engine->exactWay(index, part, tolerance);
+}
 std::int64_t Run::slopeEvaluations() const {
   return m_engine->evaluations();
 }

@@ -11,6 +11,7 @@
 #include "core/motion/energy.h"
 #include "core/run/event.h"
 #include "core/run/phase.h"
+#include "core/run/step_stages.h"
 #include "core/scene/scene.h"
 
 namespace core {
@@ -87,6 +88,22 @@ class Run {
 
   /// What happened in the latest step, in time order; cuts by hand before it included.
   std::span<const Event> stepEvents() const;
+
+  /// The latest step of one weight, opened up: its parts in time order, one unless events
+  /// divide it. None when no step was taken, or the run was just restored.
+  std::vector<StepPart> latestStep(int index) const;
+  /// The coming step likewise, with all that will happen in it; none if it fails. Takes the
+  /// step of the whole scene, for the answer alone.
+  std::vector<StepPart> nextStep(int index) const;
+  /// What another method makes of the same part of a step: from the same state, over the
+  /// same time, with no event.
+  /// @param method  offered to users
+  /// @pre part is of latestStep() or nextStep() of that weight, and the weight moves freely
+  StepPart retaken(int index, const StepPart& part, const Method& method) const;
+  /// The same part without a method's error, by the reference's Taylor polynomials.
+  /// @param tolerance  of what each of them leaves out, see AdaptiveStepper; > 0
+  /// @pre as for retaken()
+  ExactWay exactWay(int index, const StepPart& part, double tolerance) const;
 
   /// Slope evaluations so far, repeated steps around events included.
   std::int64_t slopeEvaluations() const;

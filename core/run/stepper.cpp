@@ -70,6 +70,19 @@ Entries Stepper::partial(const Body& body, const Piece& piece, double s) {
   return step(body, piece, s - piece.begin);
 }
 
+std::vector<Stage> Stepper::stages(const Body& body, const Piece& piece) {
+  std::vector<Stage> stages;
+  if (piece.settled || isStill(piece) || m_method->path == PathShape::kPolynomial) return stages;
+  const auto noted = [&](const Entries& state) {
+    stages.push_back({.state = state, .slope = slopeOn(body, piece, state)});
+    return stages.back().slope;
+  };
+  withMethod(m_index, [&](auto unit) {
+    unit.step(noted, piece.beginState, noted(piece.beginState), piece.end - piece.begin);
+  });
+  return stages;
+}
+
 Entries Stepper::step(const Body& body, const Piece& piece, double duration) {
   if (isStill(piece)) return piece.beginState;
   m_evaluations += m_method->slopesPerStep - 1;

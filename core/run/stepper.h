@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/methods/method_list.h"
 #include "core/run/equations.h"
 #include "core/run/piece.h"
+#include "core/run/step_stages.h"
 
 namespace core {
 
@@ -36,6 +38,10 @@ class Stepper {
   /// anywhere in [begin, end]. Agrees with the path to the method's order, and is what
   /// moments of events are polished with.
   Entries partial(const Body& body, const Piece& piece, double s);
+
+  /// The states and slopes of the method's step from the piece's begin to its end, in the
+  /// order they were taken; none where the method does not move the weight.
+  std::vector<Stage> stages(const Body& body, const Piece& piece);
 
   /// Nothing moves: held against a wall, or at a stop on the floor.
   static bool isStill(const Piece& piece);

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QImageReader>
 #include <QLabel>
@@ -28,7 +29,10 @@
 #include "ui/files/scene_file.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/panels/step_table.h"
+#include "ui/panels/weights_form.h"
 #include "ui/style/theme.h"
+#include "ui/view/scene_view.h"
 
 using ui::Command;
 using ui::MainWindow;
@@ -119,6 +123,8 @@ class MainWindowTest : public QObject {
   void playsAndPausesWithTheSpaceBar();
   void stepsWithTheArrowKeys();
   void cutsAndResetsByKey();
+  void splitsTheViewByKey();
+  void opensUpTheStepOfTheWeightInTheForm();
   void changesTheSpeedByKey();
   void playsByButton();
   void showsTheTimeInDigits();
@@ -187,6 +193,35 @@ void MainWindowTest::cutsAndResetsByKey() {
   QCOMPARE(window.controller()->time(), 0.0);
   QVERIFY(!window.controller()->run(0).allCut());
   QVERIFY(window.commands().action(Command::kCut)->isEnabled());
+}
+
+void MainWindowTest::splitsTheViewByKey() {
+  MainWindow window(swingingScene());
+  showAndActivate(window);
+  const auto views = [&] { return window.findChildren<ui::SceneView*>().size(); };
+  QCOMPARE(views(), 1);
+  QTest::keyClick(&window, Qt::Key_V);
+  QCOMPARE(views(), 2);
+  window.editor()->change([](core::Scene& draft) { draft.solvers.pop_back(); });
+  QCOMPARE(views(), 1);
+  QVERIFY(!window.commands().action(Command::kSplit)->isEnabled());
+}
+
+void MainWindowTest::opensUpTheStepOfTheWeightInTheForm() {
+  MainWindow window(swingingScene());
+  showAndActivate(window);
+  window.findChild<QDockWidget*>("step")->raise();
+  window.findChild<ui::WeightsForm*>()->choose(3);
+  QTest::keyClick(&window, Qt::Key_Right);
+  const auto* table = window.findChild<ui::StepTable*>();
+  const double angle = window.controller()->run(0).weight(2).angle * 180 / std::acos(-1);
+  const auto endShown = [&] {
+    for (int i = 0; i < table->rowCount(); ++i)
+      if (table->verticalHeaderItem(i)->text() == "End, Runge–Kutta 4")
+        return table->item(i, 1)->text();
+    return QString();
+  };
+  QTRY_COMPARE(endShown(), QString::number(angle, 'f', 5));
 }
 
 void MainWindowTest::changesTheSpeedByKey() {

@@ -60,6 +60,9 @@ constexpr Look kLooks[] = {
      QT_TRANSLATE_NOOP("ui::Commands", "Halve the speed"), "slower", ","},
     {Command::kFaster, QT_TRANSLATE_NOOP("ui::Commands", "F&aster"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Double the speed"), "faster", "."},
+    {Command::kSplit, QT_TRANSLATE_NOOP("ui::Commands", "Split &views"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Split"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Give each run a view of its own"), "split", "V"},
     {Command::kNextEvent, QT_TRANSLATE_NOOP("ui::Commands", "&Next event"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Go to the next event of any kind"), "next-event",
      "Ctrl+Right"},
@@ -121,6 +124,7 @@ Commands::Commands(QObject* parent) : QObject(parent) {
     }
     m_actions[look.command] = action;
   }
+  action(Command::kSplit)->setCheckable(true);
   action(Command::kTrails)->setCheckable(true);
   action(Command::kTrails)->setChecked(true);
   action(Command::kZoomIn)->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});

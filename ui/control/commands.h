@@ -27,6 +27,7 @@ enum class Command {
   kReset,
   kSlower,
   kFaster,
+  kSplit,
   kNextEvent,
   kPreviousEvent,
   kNextImpact,

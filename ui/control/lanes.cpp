@@ -9,7 +9,9 @@ namespace ui {
 Lanes::Lanes(const std::shared_ptr<const core::Scene>& scene) {
   for (const core::Solver& solver : scene->solvers) {
     m_lanes.push_back(std::make_unique<Lane>(scene, solver));
+    m_runs.push_back(&m_lanes.back()->run());
   }
+  m_separations.start(m_runs);
 }
 
 const Lane* Lanes::firstThatGoesOn() const {
@@ -30,6 +32,7 @@ void Lanes::cutAll() {
   for (const auto& lane : m_lanes) {
     if (lane->canCut()) lane->cutAt(moment);
   }
+  m_separations.dropAfter(moment);
 }
 
 /// The lane with the earliest time, of those that have to go on to reach `target`.
@@ -45,6 +48,7 @@ Lane* Lanes::furthestBehind(double target) {
 void Lanes::advanceTo(double target, const GoOn& goOn) {
   while (Lane* lane = furthestBehind(target)) {
     lane->advance();
+    m_separations.note(m_runs);
     if (!goOn(*lane)) return;
   }
 }

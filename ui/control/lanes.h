@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/recording/separation.h"
 #include "ui/control/lane.h"
 
 namespace ui {
@@ -24,6 +25,9 @@ class Lanes {
   const Lane& operator[](int index) const { return *m_lanes[index]; }
 
   bool canGoOn() const { return firstThatGoesOn() != nullptr; }
+  /// How far the runs are apart over time.
+  const core::SeparationLog& separations() const { return m_separations; }
+
   /// Null when none does.
   const Lane* firstThatGoesOn() const;
   bool canCut() const;
@@ -52,6 +56,8 @@ class Lanes {
   Lane* furthestBehind(double target);
 
   std::vector<std::unique_ptr<Lane>> m_lanes;
+  std::vector<const core::Run*> m_runs;  // of the lanes
+  core::SeparationLog m_separations;
 };
 
 }  // namespace ui

@@ -51,6 +51,8 @@ class RunController : public QObject {
   const core::Run& run(int index) const { return m_lanes[index].run(); }
   const core::Recording& recording(int index) const { return m_lanes[index].recording(); }
   std::vector<const core::Run*> runs() const;
+  /// How far the runs are apart over time; lives as long as they do.
+  const core::SeparationLog& separations() const { return m_lanes.separations(); }
 
   /// The moment shown [s]: inside the latest step of every run that still goes on.
   double time() const { return m_clock.time(); }

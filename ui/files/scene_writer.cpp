@@ -6,6 +6,7 @@
 #include "core/methods/method.h"
 #include "core/scene/scene.h"
 #include "core/scene/scene_limits.h"
+#include "core/trade/reference.h"
 #include "ui/files/degree_text.h"
 #include "ui/files/scene_reader.h"
 
@@ -98,7 +99,10 @@ std::string writtenScene(const core::Scene& scene) {
   add("room", roomText(scene.room));
   add("restitution", numberText(scene.restitution));
   add("cutTime", scene.cutTime ? numberText(*scene.cutTime) : "null");
-  if (!scene.solvers.empty()) add("solvers", listText(scene.solvers, solverText));
+  std::vector<core::Solver> solvers = scene.solvers;
+  // The reference is how the program judges the others; no scene asks for it.
+  std::erase_if(solvers, core::isReference);
+  if (!solvers.empty()) add("solvers", listText(solvers, solverText));
   text += "  \"weights\": " + listText(scene.weights, weightText) + "\n}\n";
   return text;
 }

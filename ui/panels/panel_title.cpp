@@ -33,7 +33,9 @@ PanelTitle::PanelTitle(QDockWidget* panel, QWidget* extra) : QWidget(panel) {
   name->setFont(bold);
   layout->addWidget(name);
   if (extra) layout->addWidget(extra);
-  layout->addStretch(1);
+  // Something extra may take the whole line if it likes to.
+  const bool fills = extra && extra->sizePolicy().expandingDirections().testFlag(Qt::Horizontal);
+  if (!fills) layout->addStretch(1);
 
   auto* floating = button("float", tr("Take the panel out of the window, or put it back"));
   auto* close = button("close", tr("Close the panel; the view menu brings it back"));

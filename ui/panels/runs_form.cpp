@@ -1,41 +1,35 @@
 #include "ui/panels/runs_form.h"
 
-#include <algorithm>
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 
 #include "core/methods/method.h"
 #include "core/scene/scene_limits.h"
+#include "core/trade/reference.h"
 #include "ui/control/run_words.h"
 #include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/wheel_guard.h"
+#include "ui/style/run_mark.h"
 #include "ui/style/theme.h"
 
 namespace ui {
 namespace {
 
-constexpr int kOfferedRuns = 2;
-constexpr int kMarkSize = 16;  // px
+constexpr int kArrowsWidth = 36;  // of a field's arrows and margins [px]
 
-/// How a run's weights look in the scene: filled for the first, outlines for the others.
-QPixmap markOf(int run, const Theme& theme, double devicePixelRatio) {
-  QPixmap mark(QSize(kMarkSize, kMarkSize) * devicePixelRatio);
-  mark.setDevicePixelRatio(devicePixelRatio);
-  mark.fill(Qt::transparent);
-  QPainter painter(&mark);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QColor color = theme.runs[static_cast<std::size_t>(run)];
-  painter.setPen(QPen(color, 2.5));
-  if (run == 0) painter.setBrush(color);
-  painter.drawEllipse(QRectF(2, 2, kMarkSize - 4, kMarkSize - 4));
-  return mark;
+enum Column { kMethodColumn = 1, kStepColumn };
+
+/// What a run begins with when it is switched on for the first time: what the program is
+/// about comes first, and the last is what all can be judged by.
+core::Solver firstSolver(int index) {
+  if (index == core::kMostSolvers - 1) return core::referenceSolver(core::Solver().step);
+  return {.method = index == 2 ? "semi-implicit-euler" : "euler"};
 }
 
 bool isShown(const core::Scene& scene, int run) {
@@ -44,59 +38,84 @@ bool isShown(const core::Scene& scene, int run) {
 
 }  // namespace
 
-RunsForm::RunsForm(SceneEditor* editor, QWidget* parent) : Form(editor, parent) {
+RunsForm::RunsForm(SceneEditor* editor, QWidget* parent)
+    : Form(editor, parent), m_grid(new QGridLayout) {
+  m_grid->setHorizontalSpacing(6);
+  m_grid->setVerticalSpacing(6);
+  m_grid->setColumnStretch(kMethodColumn, 1);
+  rows()->addRow(m_grid);
+  addHeadings();
+  for (int i = 0; i < core::kMostSolvers; ++i) addRun(i);
+  paintMarks();
   RunsForm::showDraft();
 }
 
-void RunsForm::addRun(int index) {
-  Row row{new QCheckBox,
-          new QLabel,
-          new QComboBox,
-          new QuantityField({.range = core::kStepRange, .arrowsDouble = true}),
-          new QuantityField({.range = core::kToleranceRange, .arrowsTenfold = true}),
-          {.method = std::string(core::methods().front().id)}};
-  for (const core::Method& method : core::methods()) {
-    row.method->addItem(methodWords(method), QString::fromUtf8(method.id.data()));
-  }
-  row.method->setFocusPolicy(Qt::TabFocus);
-  ignoreWheelWithoutFocus(row.method);
-  row.method->setAccessibleName(tr("Method of run %1").arg(index + 1));
-  row.step->spinBox()->setAccessibleName(tr("Step of run %1").arg(index + 1));
-  rows()->addRow(nameOf(row, index), row.method);
-  row.tolerance->spinBox()->setAccessibleName(tr("Tolerance of run %1").arg(index + 1));
-  rows()->addRow(tr("Step"), row.step);
-  rows()->addRow(tr("Tolerance"), row.tolerance);
-  m_runs.push_back(row);
+void RunsForm::addHeadings() {
+  m_grid->addWidget(new QLabel(tr("Method")), 0, kMethodColumn);
+  m_grid->addWidget(new QLabel(tr("Step, tolerance")), 0, kStepColumn);
+}
 
+void RunsForm::addRun(int index) {
+  m_runs.push_back({new QCheckBox, new QLabel, new QComboBox,
+                    new QuantityField({.range = core::kStepRange, .arrowsDouble = true}),
+                    new QuantityField({.range = core::kToleranceRange, .arrowsTenfold = true}),
+                    firstSolver(index)});
+  const Row& row = m_runs.back();
+  fillMethods(row.method, index);
+  row.step->spinBox()->setAccessibleName(tr("Step of run %1").arg(index + 1));
+  row.tolerance->spinBox()->setAccessibleName(tr("Tolerance of run %1").arg(index + 1));
+  m_grid->addWidget(nameOf(row, index), index + 1, 0);
+  m_grid->addWidget(row.method, index + 1, kMethodColumn);
+  m_grid->addWidget(row.step, index + 1, kStepColumn);
+  m_grid->addWidget(row.tolerance, index + 1, kStepColumn);
   connect(row.shown, &QCheckBox::toggled, this, [=, this](bool on) { setShown(index, on); });
   connect(row.method, &QComboBox::activated, this,
-          [=, this] { setMethod(index, row.method->currentData().toString()); });
-  bindNumber(row.step, index, &core::Solver::step);
-  bindNumber(row.tolerance, index, &core::Solver::tolerance);
-  paintMarks();
+          [=, this] { setMethod(index, m_runs[index].method->currentData().toString()); });
+  const int fieldWidth =
+      fontMetrics().horizontalAdvance(QStringLiteral("1/100000 s")) + kArrowsWidth;
+  for (QuantityField* field : {row.step, row.tolerance}) field->setFixedWidth(fieldWidth);
+  bindPart(row.step, index, &core::Solver::step);
+  bindPart(row.tolerance, index, &core::Solver::tolerance);
 }
 
-void RunsForm::bindNumber(QuantityField* field, int index, double core::Solver::*number) {
+/// The reference is offered to all runs but the first, which the others are compared with.
+void RunsForm::fillMethods(QComboBox* chooser, int index) {
+  for (const core::Method& method : core::methods())
+    chooser->addItem(methodWords(method), QString::fromUtf8(method.id.data()));
+  const core::Method& reference = *core::findMethod(core::referenceSolver(1).method);
+  if (index > 0) chooser->addItem(methodWords(reference), QString::fromUtf8(reference.id.data()));
+  chooser->setFocusPolicy(Qt::TabFocus);
+  ignoreWheelWithoutFocus(chooser);
+  chooser->setAccessibleName(tr("Method of run %1").arg(index + 1));
+}
+
+/// The reference has neither step nor tolerance to choose.
+void RunsForm::bindPart(QuantityField* field, int index, Part part) {
   const auto read = [=, this](const core::Scene& scene) -> std::optional<double> {
-    return (isShown(scene, index) ? scene.solvers[index] : m_runs[index].latest).*number;
+    const core::Solver& solver =
+        isShown(scene, index) ? scene.solvers[index] : m_runs[index].latest;
+    if (core::isReference(solver)) return std::nullopt;
+    return solver.*part;
   };
-  bind(field, read,
-       [=](core::Scene& scene, double value) { scene.solvers[index].*number = value; });
+  bind(field, read, [=](core::Scene& scene, double value) { scene.solvers[index].*part = value; });
 }
 
-/// The run's name with the mark its weights have in the scene.
+/// The mark the run's weights have in the scene, and whether it is shown.
 QWidget* RunsForm::nameOf(const Row& row, int index) {
   const QString words = tr("Run %1").arg(index + 1);
   row.shown->setFocusPolicy(Qt::TabFocus);
   row.shown->setAccessibleName(words);
+  row.mark->setToolTip(words);
   auto* name = new QWidget;
   auto* layout = new QHBoxLayout(name);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
+  layout->setSpacing(4);
   layout->addWidget(row.shown);
+  QSizePolicy policy = row.shown->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  row.shown->setSizePolicy(policy);
   row.shown->setHidden(index == 0);
   layout->addWidget(row.mark);
-  layout->addWidget(new QLabel(words));
   return name;
 }
 
@@ -113,34 +132,33 @@ void RunsForm::setShown(int index, bool shown) {
 void RunsForm::setMethod(int index, const QString& id) {
   editor()->change([&](core::Scene& draft) {
     core::Solver& solver = draft.solvers[index];
+    const bool wasReference = core::isReference(solver);
     solver.method = id.toStdString();
-    // Files hold no step for these: what is saved is what is shown.
-    if (core::findMethod(solver.method)->isAdaptive) solver.step = core::Solver().step;
+    if (core::isReference(solver)) solver = core::referenceSolver(draft.solvers.front().step);
+    if (wasReference) solver.tolerance = core::Solver().tolerance;
   });
 }
 
 void RunsForm::showDraft() {
-  const int runCount = static_cast<int>(editor()->draft().solvers.size());
-  while (static_cast<int>(m_runs.size()) < std::max(kOfferedRuns, runCount)) {
-    addRun(static_cast<int>(m_runs.size()));
-  }
   Form::showDraft();
   for (int i = 0; i < static_cast<int>(m_runs.size()); ++i) showRun(i);
 }
 
 void RunsForm::showRun(int index) {
   Row& row = m_runs[index];
-  const bool shown = isShown(editor()->draft(), index);
-  if (shown) row.latest = editor()->draft().solvers[index];
+  const core::Scene& draft = editor()->draft();
+  const bool shown = isShown(draft, index);
+  if (shown) row.latest = draft.solvers[index];
   const QSignalBlocker quiet(row.shown);
   row.shown->setChecked(shown);
+  row.shown->setEnabled(index <= static_cast<int>(draft.solvers.size()));
   row.method->setEnabled(shown);
-  row.step->setEnabled(shown);
-  row.tolerance->setEnabled(shown);
-  const bool isAdaptive = core::findMethod(row.latest.method)->isAdaptive;
-  rows()->setRowVisible(row.step, !isAdaptive);
-  rows()->setRowVisible(row.tolerance, isAdaptive);
   row.method->setCurrentIndex(row.method->findData(QString::fromStdString(row.latest.method)));
+  const bool isReference = core::isReference(row.latest);
+  const bool isAdaptive = core::findMethod(row.latest.method)->isAdaptive && !isReference;
+  row.step->setVisible(!isAdaptive);
+  row.tolerance->setVisible(isAdaptive);
+  for (QuantityField* field : {row.step, row.tolerance}) field->setEnabled(shown && !isReference);
 }
 
 void RunsForm::changeEvent(QEvent* event) {
@@ -151,7 +169,7 @@ void RunsForm::changeEvent(QEvent* event) {
 void RunsForm::paintMarks() {
   const Theme theme = Theme::of(palette());
   for (int i = 0; i < static_cast<int>(m_runs.size()); ++i) {
-    m_runs[i].mark->setPixmap(markOf(i, theme, devicePixelRatioF()));
+    m_runs[i].mark->setPixmap(runMark(i, theme, devicePixelRatioF()));
   }
 }
 

@@ -4,12 +4,13 @@
 
 class QCheckBox;
 class QComboBox;
+class QGridLayout;
 class QLabel;
 
 namespace ui {
 
 /// Which methods run side by side, and with what steps or tolerances. The first run is always
-/// there; the others can be switched off.
+/// there; up to three others can be switched on, the reference among them.
 class RunsForm : public Form {
   Q_OBJECT
 
@@ -26,18 +27,23 @@ class RunsForm : public Form {
     QLabel* mark = nullptr;
     QComboBox* method = nullptr;
     QuantityField* step = nullptr;
-    QuantityField* tolerance = nullptr;  // in place of the step for adaptive methods
+    QuantityField* tolerance = nullptr;  // in the place of the step, for adaptive methods
     core::Solver latest;                 // comes back when the run is switched on again
   };
 
+  using Part = double core::Solver::*;
+
+  void addHeadings();
   void addRun(int index);
-  void bindNumber(QuantityField* field, int index, double core::Solver::*number);
+  void fillMethods(QComboBox* chooser, int index);
+  void bindPart(QuantityField* field, int index, Part part);
   QWidget* nameOf(const Row& row, int index);
   void showRun(int index);
   void setShown(int index, bool shown);
   void setMethod(int index, const QString& id);
   void paintMarks();
 
+  QGridLayout* m_grid;
   std::vector<Row> m_runs;
 };
 

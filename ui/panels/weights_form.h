@@ -16,6 +16,10 @@ class WeightsForm : public Form {
   /// Shows this weight, counted from 1; 0: all.
   void choose(int number);
 
+ signals:
+  /// Another weight is shown, counted from 1; 0: all.
+  void weightChosen(int number);
+
  protected:
   void showDraft() override;
 

@@ -15,7 +15,7 @@ Theme Theme::light() {
   theme.faintText = QColor("#57606a");
   theme.rope = QColor("#6e5a44");
   theme.outline = QColor("#1b1f24");
-  theme.runs = {QColor("#0072b2"), QColor("#d55e00"), QColor("#007a5a"), QColor("#a3478a")};
+  theme.runs = {QColor("#1b1f24"), QColor("#5522ee"), QColor("#cc0033"), QColor("#8a0a8a")};
   theme.kinetic = QColor("#d55e00");
   theme.potential = QColor("#0072b2");
   theme.lostToAir = QColor("#007a5a");
@@ -38,7 +38,7 @@ Theme Theme::darkTheme() {
   theme.faintText = QColor("#a9b2bd");
   theme.rope = QColor("#c8ae8c");
   theme.outline = QColor("#f0f3f6");
-  theme.runs = {QColor("#56b4e9"), QColor("#ff9d4d"), QColor("#2fd1a2"), QColor("#e29ccb")};
+  theme.runs = {QColor("#f0f3f6"), QColor("#a070ff"), QColor("#ff3366"), QColor("#7ef06a")};
   theme.kinetic = QColor("#ff9d4d");
   theme.potential = QColor("#56b4e9");
   theme.lostToAir = QColor("#2fd1a2");

@@ -23,7 +23,8 @@ struct Theme {
   QColor outline;  ///< around filled weights
 
   /// One for each run that can stand beside others: the first run's weights are filled in
-  /// their own colors, the others are outlines in these.
+  /// their own colors, the others are outlines in these. None is one of the colors weights
+  /// have unless the user chose others, nor are two alike to color-blind eyes.
   std::array<QColor, 4> runs;
 
   // Curves of the energy ledger.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include "ui/view/camera.h"
 #include "ui/view/room_drawing.h"
@@ -21,21 +22,42 @@ constexpr double kScaleSpace = 380;  // kept free for the scale bar [px]
 constexpr double kTickHeight = 9;    // at the ends of the scale bar [px]
 constexpr double kBarWidth = 2;      // [px]
 
-/// Upper left corner of each entry within the band, in rows that leave room for the scale bar
-/// where the picture is wide enough for both.
-std::vector<QPointF> entryCorners(const std::vector<ShownRun>& runs, const SceneLook& look,
-                                  double width) {
+/// One name in the band, with its place; a name too long for the picture takes two lines.
+struct Entry {
+  QPointF corner;  // upper left [px]
+  QStringList lines;
+  double width = 0;  // [px]
+};
+
+/// The name in one line, or broken between method and step where the picture is too narrow.
+QStringList linesOf(const QString& name, const SceneLook& look, double width) {
+  const bool fits = kEdge + kMarkerSpace + widthOf(name, look.font) <= width - kEdge;
+  const qsizetype comma = name.indexOf(QStringLiteral(", "));
+  if (fits || comma < 0) return {name};
+  return {name.left(comma + 1), name.mid(comma + 2)};
+}
+
+/// In rows that leave room for the scale bar where the picture is wide enough for both.
+std::vector<Entry> entriesOf(const std::vector<ShownRun>& runs, const SceneLook& look,
+                             double width) {
   const double right = std::max(width - kScaleSpace, width / 2);
-  std::vector<QPointF> corners;
+  std::vector<Entry> entries;
   QPointF next(kEdge, look.headerHeight + kEdge);
+  qsizetype linesInRow = 1;
   for (const ShownRun& run : runs) {
-    const double entryWidth = kMarkerSpace + widthOf(run.name, look.font);
-    if (next.x() > kEdge && next.x() + entryWidth > right)
-      next = QPointF(kEdge, next.y() + lineHeight(look.font));
-    corners.push_back(next);
-    next.rx() += entryWidth + kEntryGap;
+    Entry entry{next, linesOf(run.name, look, width)};
+    for (const QString& line : entry.lines)
+      entry.width = std::max(entry.width, kMarkerSpace + widthOf(line, look.font));
+    if (next.x() > kEdge && next.x() + entry.width > right) {
+      next = QPointF(kEdge, next.y() + static_cast<double>(linesInRow) * lineHeight(look.font));
+      linesInRow = 1;
+    }
+    entry.corner = next;
+    linesInRow = std::max(linesInRow, entry.lines.size());
+    next.rx() += entry.width + kEntryGap;
+    entries.push_back(std::move(entry));
   }
-  return corners;
+  return entries;
 }
 
 void addWords(const QString& words, QPointF corner, const QColor& color, const Camera& camera,
@@ -44,10 +66,11 @@ void addWords(const QString& words, QPointF corner, const QColor& color, const C
                            withOpacity(look.theme.background, 0.85)});
 }
 
-Disc marker(std::size_t run, QPointF center, const Camera& camera, const Theme& theme) {
-  const Eigen::Vector2d place = camera.toMetres(center);
-  if (run == 0) return {place, 0, kMarkerRadius, 1, theme.faintText.rgb(), theme.outline.rgb()};
-  return {place, 0, kMarkerRadius + 0.5, 2.5, 0, theme.runs[run % theme.runs.size()].rgb()};
+/// Filled for the first run, as its weights are where all runs are in one view.
+Disc marker(std::size_t place, QPointF center, const Camera& camera, const Theme& theme) {
+  const QRgb color = theme.runs[place % theme.runs.size()].rgb();
+  const QRgb fill = place == 0 ? color : 0;
+  return {camera.toMetres(center), 0, kMarkerRadius + 0.5, 2.5, fill, color};
 }
 
 /// The bar, with its length in words left of it, which say where its left end is [px].
@@ -86,23 +109,29 @@ void addScaleBar(const ScaleBar& bar, const Camera& camera, const SceneLook& loo
 }  // namespace
 
 double legendHeight(const std::vector<ShownRun>& runs, const SceneLook& look, double width) {
-  const std::vector<QPointF> corners = entryCorners(runs, look, width);
-  const double top = corners.empty() ? look.headerHeight + kEdge : corners.back().y();
+  double height = kEdge + lineHeight(look.font);
+  for (const Entry& entry : entriesOf(runs, look, width))
+    height = std::max(height, entry.corner.y() - look.headerHeight +
+                                  static_cast<double>(entry.lines.size()) * lineHeight(look.font));
   // Below it half a line is free for the number at the ceiling.
-  return top - look.headerHeight + 1.6 * lineHeight(look.font);
+  return height + 0.6 * lineHeight(look.font);
 }
 
 void drawLegend(const std::vector<ShownRun>& runs, const Ruler& ruler, bool enlarged,
                 const Camera& camera, const SceneLook& look, Drawing& drawing) {
   const double top = look.headerHeight + kEdge;
-  const std::vector<QPointF> corners = entryCorners(runs, look, camera.viewport().width());
+  const std::vector<Entry> entries = entriesOf(runs, look, camera.viewport().width());
   double firstRowEnd = 0;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    const QPointF center = corners[r] + QPointF(kMarkerRadius, lineHeight(look.font) / 2);
-    const QPointF words = corners[r] + QPointF(kMarkerSpace, 0);
-    drawing.layers[kFrontLayer].discs.push_back(marker(r, center, camera, look.theme));
-    addWords(runs[r].name, words, look.theme.text, camera, look, drawing);
-    if (words.y() == top) firstRowEnd = words.x() + widthOf(runs[r].name, look.font) + kEntryGap;
+    const Entry& entry = entries[r];
+    const QPointF center = entry.corner + QPointF(kMarkerRadius, lineHeight(look.font) / 2);
+    drawing.layers[kFrontLayer].discs.push_back(marker(runs[r].place, center, camera, look.theme));
+    QPointF words = entry.corner + QPointF(kMarkerSpace, 0);
+    for (const QString& line : entry.lines) {
+      addWords(line, words, look.theme.text, camera, look, drawing);
+      words.ry() += lineHeight(look.font);
+    }
+    if (entry.corner.y() == top) firstRowEnd = entry.corner.x() + entry.width + kEntryGap;
   }
   const ScaleBar bar = scaleBar(ruler, camera, look);
   if (bar.wordsLeft < firstRowEnd) return;

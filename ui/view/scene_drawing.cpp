@@ -31,6 +31,7 @@ Drawing sceneDrawing(const ShownScene& shown, const Trails& trails, const Camera
   drawTrails(shown, trails, look, drawing);
   drawRopes(shown, look, drawing);
   drawWeights(shown, camera, look, drawing);
+  if (shown.step) drawStep(*shown.step, top, camera, look, drawing);
   drawLegend(shown.runs, ruler, enlargesWeights(shown, camera), camera, look, drawing);
   return drawing;
 }

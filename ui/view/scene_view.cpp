@@ -35,10 +35,10 @@ class SceneView::Content {
     chooseCanvas();
   }
 
-  void setRuns(std::vector<const core::Run*> runs) {
+  void setRuns(std::vector<const core::Run*> runs, std::size_t firstPlace) {
     const QSizeF before = roomSize(m_shown);
     m_runs = std::move(runs);
-    m_shown = shownScene(m_runs);
+    m_shown = shownScene(m_runs, firstPlace);
     m_trails.reset(static_cast<int>(m_runs.size()), static_cast<int>(m_shown.colors.size()),
                    trailSpan(m_shown.scene));
     m_trails.record(m_shown.time, m_shown.runs);
@@ -50,6 +50,13 @@ class SceneView::Content {
     if (m_openGlCanvas && m_openGlCanvas->isLost()) loseOpenGl();
     readWeights(m_runs, time, m_shown);
     m_trails.record(time, m_shown.runs);
+    repaint();
+  }
+
+  void showStep(const ShownStep* step) {
+    if (!step && !m_shown.step) return;
+    m_shown.step.reset();
+    if (step) m_shown.step = *step;
     repaint();
   }
 
@@ -94,10 +101,20 @@ class SceneView::Content {
     if (m_isFitted) fit();
   }
 
+  const Camera& camera() const { return m_camera; }
+  bool isFitted() const { return m_isFitted; }
+
+  void follow(const Content& other) {
+    m_isFitted = other.m_isFitted;
+    m_camera = other.m_camera;
+    placeCamera();
+    repaint();
+  }
+
   void zoomAt(QPointF pixel, double factor) {
     m_isFitted = false;
     m_camera.zoomAt(pixel, factor);
-    repaint();
+    showMoved();
   }
 
   void startPan(QPointF pixel) {
@@ -110,7 +127,7 @@ class SceneView::Content {
     m_isFitted = false;
     m_camera.panBy(pixel - *m_panFrom);
     m_panFrom = pixel;
-    repaint();
+    showMoved();
   }
 
   void endPan() {
@@ -126,6 +143,11 @@ class SceneView::Content {
 
  private:
   void repaint() { m_canvas->update(); }
+
+  void showMoved() {
+    repaint();
+    emit m_view->cameraMoved();
+  }
 
   void placeCamera() {
     const QSizeF size(std::max(m_view->width(), 1), std::max(m_view->height(), 1));
@@ -192,11 +214,14 @@ SceneView::SceneView(QWidget* parent)
 
 SceneView::~SceneView() = default;
 
-void SceneView::setRuns(std::vector<const core::Run*> runs) {
-  m_content->setRuns(std::move(runs));
+void SceneView::setRuns(std::vector<const core::Run*> runs, std::size_t firstPlace) {
+  m_content->setRuns(std::move(runs), firstPlace);
 }
 void SceneView::showTime(double time) {
   m_content->showTime(time);
+}
+void SceneView::showStep(const ShownStep* step) {
+  m_content->showStep(step);
 }
 void SceneView::clearTrails() {
   m_content->clearTrails();
@@ -213,8 +238,18 @@ void SceneView::setPainterChoice(PainterChoice choice) {
 QString SceneView::painterDescription() const {
   return m_content->painterDescription();
 }
+const Camera& SceneView::camera() const {
+  return m_content->camera();
+}
+bool SceneView::isFitted() const {
+  return m_content->isFitted();
+}
+void SceneView::follow(const SceneView& other) {
+  m_content->follow(*other.m_content);
+}
 void SceneView::fitRoom() {
   m_content->fit();
+  emit cameraMoved();
 }
 
 void SceneView::zoomIn() {

@@ -14,7 +14,9 @@ class Run;
 
 namespace ui {
 
+class Camera;
 class Trails;
+struct ShownStep;
 
 /// Which painter draws the scene.
 enum class PainterChoice {
@@ -36,7 +38,8 @@ class SceneView : public QWidget {
   /// Shows these runs of one scene from now on, the first with filled weights, the others
   /// as outlines. Forgets all trails; fits the room when its size is another one than
   /// before. The runs must outlive the view or the next call.
-  void setRuns(std::vector<const core::Run*> runs);
+  /// @param firstPlace  of the first of them among all runs of the scene
+  void setRuns(std::vector<const core::Run*> runs, std::size_t firstPlace = 0);
 
   /// Draws the runs at this moment; call once per frame.
   /// @param time  [s], inside the latest step of every run
@@ -48,7 +51,17 @@ class SceneView : public QWidget {
   /// The trails as they are shown, for a picture; null while they are not.
   const Trails* trails() const;
 
+  /// Opens up a step of one weight over the scene; null: none.
+  void showStep(const ShownStep* step);
+
   void setPainterChoice(PainterChoice choice);
+  /// The part of the room that is seen.
+  const Camera& camera() const;
+  /// True until the user chooses another part than the whole room.
+  bool isFitted() const;
+  /// Sees what another view of the same scene and size sees.
+  void follow(const SceneView& other);
+
   /// What draws now, in words for the status bar: "OpenGL 4.5 (llvmpipe)" or "QPainter
   /// (software OpenGL would be slower)".
   QString painterDescription() const;
@@ -62,6 +75,8 @@ class SceneView : public QWidget {
  signals:
   /// Another painter draws from now on, by choice or because OpenGL was lost.
   void painterChanged();
+  /// The user chose another part of the room to see.
+  void cameraMoved();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

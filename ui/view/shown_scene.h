@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QRgb>
@@ -8,12 +9,14 @@
 
 #include "core/run/run.h"
 #include "core/scene/scene.h"
+#include "ui/view/shown_step.h"
 
 namespace ui {
 
 /// One run at one moment.
 struct ShownRun {
-  QString name;  ///< method and step, for the legend
+  QString name;           ///< method and step, for the legend
+  std::size_t place = 0;  ///< among all runs of the scene: decides its mark in the legend
   std::vector<core::WeightState> weights;
 };
 
@@ -23,17 +26,16 @@ struct ShownScene {
   std::vector<QRgb> colors;    ///< one per weight
   double time = 0;             ///< [s]
   std::vector<ShownRun> runs;  ///< the first is drawn filled, the others as outlines
+  std::optional<ShownStep> step = std::nullopt;  ///< opened up
 };
 
 /// The scene of these runs, with their names, each as it stands now.
+/// @param firstPlace  of the first of them among all runs of the scene
 /// @pre all runs are of one scene
-ShownScene shownScene(const std::vector<const core::Run*>& runs);
+ShownScene shownScene(const std::vector<const core::Run*>& runs, std::size_t firstPlace = 0);
 
 /// Reads where the weights are at another moment; the vectors keep their memory.
 /// @param time  [s], inside the latest step of every run
 void readWeights(const std::vector<const core::Run*>& runs, double time, ShownScene& shown);
-
-/// A run's method and step or tolerance as a person would say it: "Euler, 1/60 s".
-QString solverText(const core::Run& run);
 
 }  // namespace ui

@@ -34,6 +34,7 @@ class LedgerTest : public QObject {
   void goesOnEvenlyAfterDropping();
   void knowsTheHighestEnergyEvenOfDroppedSamples();
   void countsLossesButNotDriftAsEnergy();
+  void tellsTheDriftAsAShareOfTheStart();
   void givesTheAxisANumber();
   void startsAnew();
 };
@@ -115,6 +116,16 @@ void LedgerTest::countsLossesButNotDriftAsEnergy() {
   Ledger ledger;
   ledger.append(sample);
   QCOMPARE(ledger.highest(), 63.0);
+}
+
+void LedgerTest::tellsTheDriftAsAShareOfTheStart() {
+  core::Energies energies;
+  energies.kinetic = 3;
+  energies.lostToAir = 2;
+  energies.numericalDrift = 1;  // so it began with 4 J
+  QCOMPARE(energies.driftShare(), std::optional<double>(0.25));
+  energies.numericalDrift = 5;
+  QCOMPARE(energies.driftShare(), std::optional<double>());
 }
 
 void LedgerTest::givesTheAxisANumber() {

@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+#include "core/trade/reference.h"
+
 namespace {
 
 core::Weight swingingWeight() {
@@ -99,6 +101,7 @@ class SceneFileTest : public QObject {
  private slots:
   void savedSceneReadsBackEqual();
   void writesNumbersAsAPersonWould();
+  void writesNoReference();
   void writesTheSameTextAgain();
   void refusesFilesThatCannotBeRead();
   void refusesFilesOverSixtyFourMebibytes();
@@ -115,6 +118,14 @@ void SceneFileTest::savedSceneReadsBackEqual() {
   const ui::SceneOrError read = ui::readSceneFile(file);
   QCOMPARE(read.error, QString());
   QVERIFY(areEqual(*read.scene, awkwardScene()));
+}
+
+void SceneFileTest::writesNoReference() {
+  core::Scene scene;
+  scene.solvers = {{.method = "euler"}, core::referenceSolver(0.01)};
+  const QByteArray text = ui::sceneText(scene);
+  QVERIFY(text.contains("\"euler\""));
+  QVERIFY(!text.contains("reference"));
 }
 
 void SceneFileTest::writesNumbersAsAPersonWould() {

@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include "core/scene/arrangement.h"
+#include "core/trade/reference.h"
 #include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/runs_form.h"
@@ -66,6 +67,8 @@ class FormsTest : public QObject {
   void methodAndStepOfARunChange();
   void anAdaptiveMethodTakesAToleranceInPlaceOfAStep();
   void theSecondRunGoesAndComesBackAsItWas();
+  void upToFourRunsTheReferenceAmongThem();
+  void adaptiveMethodsTakeATolerance();
   void theWheelPassesOverValuesWithoutChangingThem();
 };
 
@@ -248,6 +251,35 @@ void FormsTest::theSecondRunGoesAndComesBackAsItWas() {
   QCOMPARE(editor.scene()->solvers.size(), std::size_t{2});
   QCOMPARE(editor.scene()->solvers[1].step, 1.0 / 240);
   QCOMPARE(editor.scene()->solvers[1].method, std::string("euler"));
+}
+
+void FormsTest::upToFourRunsTheReferenceAmongThem() {
+  ui::SceneEditor editor(threeWeights());
+  const ui::RunsForm form(&editor);
+  const auto shownOf = [&](const QString& name) {
+    for (QCheckBox* box : form.findChildren<QCheckBox*>())
+      if (box->accessibleName() == name) return box;
+    qFatal("no run named %s", qPrintable(name));
+  };
+  QVERIFY(!shownOf("Run 4")->isEnabled());  // one after the other
+  shownOf("Run 3")->click();
+  QCOMPARE(editor.scene()->solvers[2].method, std::string("semi-implicit-euler"));
+  shownOf("Run 4")->click();
+  QVERIFY(core::isReference(editor.scene()->solvers[3]));
+  QVERIFY(!fieldNamed(form, "Step of run 4")->isEnabled());
+}
+
+void FormsTest::adaptiveMethodsTakeATolerance() {
+  core::Scene scene = threeWeights();
+  scene.solvers[0] = {.method = "dopri5", .tolerance = 1e-6};
+  ui::SceneEditor editor(scene);
+  const ui::RunsForm form(&editor);
+  QVERIFY(fieldNamed(form, "Step of run 1")->isHidden());
+  QVERIFY(!fieldNamed(form, "Tolerance of run 1")->isHidden());
+  QVERIFY(fieldNamed(form, "Tolerance of run 2")->isHidden());
+  QCOMPARE(shown(form, "Tolerance of run 1"), QString("1e-6"));
+  enter(fieldNamed(form, "Tolerance of run 1"), "1e-8");
+  QCOMPARE(editor.scene()->solvers[0].tolerance, 1e-8);
 }
 
 void FormsTest::theWheelPassesOverValuesWithoutChangingThem() {

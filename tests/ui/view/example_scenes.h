@@ -16,7 +16,7 @@ namespace example {
 /// stand `apart` [m] beside those of the first.
 inline ui::ShownScene freeWeights(int count, double radius, double apart) {
   ui::ShownScene shown;
-  shown.runs = {{"first method", {}}, {"second method", {}}};
+  shown.runs = {{"first method", 0, {}}, {"second method", 1, {}}};
   for (int i = 0; i < count; ++i) {
     core::Weight weight;
     weight.radius = radius;

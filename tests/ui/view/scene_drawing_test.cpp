@@ -27,6 +27,8 @@ class SceneDrawingTest : public QObject {
   void slackRopesHang();
   void trailsFadeAndCanBeHidden();
   void legendNamesEveryRun();
+  void legendBreaksNamesTooLongForThePicture();
+  void drawsAStepEnlargedAboutItsAnchor();
   void textIsLargeEnoughToRead();
 
  private:
@@ -203,6 +205,45 @@ void SceneDrawingTest::legendNamesEveryRun() {
     words << text.words;
   QVERIFY(words.contains("first method"));
   QVERIFY(words.contains("second method"));
+}
+
+void SceneDrawingTest::legendBreaksNamesTooLongForThePicture() {
+  ui::ShownScene shown = example::freeWeights(1, 0.02, 0);
+  shown.runs.pop_back();
+  shown.runs[0].name = "Euler (semi-implicit), 1/60 s";
+  const auto wordsIn = [&](QSizeF size) {
+    QStringList words;
+    const ui::Camera camera = example::camera(shown, size);
+    for (const ui::Text& text :
+         ui::sceneDrawing(shown, ui::Trails(), camera, example::look()).texts)
+      words << text.words;
+    return words;
+  };
+  QVERIFY(wordsIn({800, 600}).contains("Euler (semi-implicit), 1/60 s"));
+  QVERIFY(wordsIn({240, 180}).contains("Euler (semi-implicit),"));
+  QVERIFY(wordsIn({240, 180}).contains("1/60 s"));
+}
+
+void SceneDrawingTest::drawsAStepEnlargedAboutItsAnchor() {
+  ui::ShownScene shown = example::freeWeights(1, 0.02, 0);
+  ui::ShownStep step;
+  step.anchor = step.end = {2, 1};
+  step.start = {1.99, 1};
+  step.slopes = {{"k1", {1.99, 1}, {0.01, 0}}, {"k2", {1.995, 1}, {0.01, 0}}};
+  shown.step = step;
+  const ui::Camera camera = example::camera(shown);
+  const double enlargement = ui::enlargementOf(step, camera);
+  // So that an arrow of 1 cm is 36 to 90 pixels long.
+  QVERIFY(enlargement == 20 || enlargement == 50);
+  const std::vector<ui::Arrow> arrows =
+      ui::sceneDrawing(shown, ui::Trails(), camera, example::look()).layers[ui::kFrontLayer].arrows;
+  QCOMPARE(arrows.size(), std::size_t(2));
+  const auto isAt = [](const Eigen::Vector2d& place, double x) {
+    return (place - Eigen::Vector2d(x, 1)).norm() < 1e-12;
+  };
+  QVERIFY(isAt(arrows[0].from, 2 - 0.01 * enlargement));
+  QVERIFY(isAt(arrows[0].to, 2));
+  QVERIFY(isAt(arrows[1].to, 2 + 0.005 * enlargement));
 }
 
 void SceneDrawingTest::textIsLargeEnoughToRead() {

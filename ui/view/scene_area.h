@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include <QString>
+#include <QWidget>
+
+#include "ui/view/scene_view.h"
+
+namespace ui {
+
+/// The runs of a scene: all in one view, or split into one view for each run, as many side by
+/// side and below each other as show the room largest. Split views have one size and see the
+/// same part of the room; whoever moves one moves all.
+class SceneArea : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneArea(QWidget* parent = nullptr);
+
+  /// Shows these runs of one scene from now on; see SceneView::setRuns().
+  void setRuns(std::vector<const core::Run*> runs);
+  /// Draws the runs at this moment [s]; call once per frame.
+  void showTime(double time);
+
+  /// Opens up a step of a weight in this run; null: none.
+  void showStep(const ShownStep* step, std::size_t run);
+
+  bool isSplit() const { return m_split; }
+  /// In the order of the runs; one for all where they are not split.
+  const std::vector<SceneView*>& views() const { return m_views; }
+
+  void setPainterChoice(PainterChoice choice);
+  QString painterDescription() const { return m_views.front()->painterDescription(); }
+
+ public slots:
+  /// Gives each run a view of its own, or all of them one.
+  void setSplit(bool split);
+  void setTrailsShown(bool shown);
+  void fitRoom() { m_views.front()->fitRoom(); }
+  void zoomIn() { m_views.front()->zoomIn(); }
+  void zoomOut() { m_views.front()->zoomOut(); }
+
+ signals:
+  /// Another painter draws from now on.
+  void painterChanged();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void distributeRuns();
+  void setViewCount(std::size_t count);
+  void addView();
+  void arrange();
+  void followOne(const SceneView* leader);
+  int columnsFor(QSizeF room) const;
+
+  std::vector<const core::Run*> m_runs;
+  std::vector<SceneView*> m_views;  // never empty; children
+  PainterChoice m_choice = PainterChoice::kAutomatic;
+  double m_time = 0;
+  bool m_trailsShown = true;
+  bool m_split = false;
+};
+
+}  // namespace ui
