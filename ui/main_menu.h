@@ -37,6 +37,7 @@ class MainMenu : public QObject {
   void addFileMenu(QMenuBar* bar, const Commands& commands);
   void addRunMenu(QMenuBar* bar, const Commands& commands);
   void addViewMenu(QMenuBar* bar, const Commands& commands);
+  void addChartMenu(QMenuBar* bar, const Commands& commands);
   void addHelpMenu(QMenuBar* bar, const Commands& commands);
   void listBuiltInScenes();
 

@@ -1,7 +1,5 @@
 #include "ui/main_window.h"
 
-#include <algorithm>
-
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -24,7 +22,7 @@
 #include "ui/control/scene_files.h"
 #include "ui/control/settings.h"
 #include "ui/main_menu.h"
-#include "ui/panels/energy_panel.h"
+#include "ui/panels/charts_panel.h"
 #include "ui/panels/help_dialogs.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/panel_title.h"
@@ -41,9 +39,8 @@ namespace ui {
 namespace {
 
 constexpr QSize kFirstSize(1600, 900);
-constexpr int kLeastChartHeight = 260;
-constexpr double kChartShare = 0.36;  // of the window's height
-constexpr int kMessageTime = 6000;    // ms
+constexpr double kChartShare = 0.4;  // of the height that scene and chart have together
+constexpr int kMessageTime = 6000;   // ms
 
 /// As high as its form if there is room; where there is not, it scrolls rather than squeezes.
 class FormArea : public QScrollArea {
@@ -74,9 +71,9 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
       m_files(new SceneFiles(m_editor, file, this)),
       m_view(new SceneView),
       m_playback(new PlaybackBar(*m_commands)),
-      m_energy(new EnergyPanel(m_controller)) {
+      m_charts(new ChartsPanel(m_controller, *m_commands)) {
   m_exports = new Exports(
-      m_controller, [this] { return m_energy->chosenRuns(); }, this);
+      m_controller, [this] { return m_charts->picture(); }, this);
   m_appearance->setChoice(Settings().theme());
   setWindowIcon(icon("angrycuts"));
   const QSize available = screen()->availableSize();
@@ -121,19 +118,21 @@ void MainWindow::buildPanels() {
   // The methods are what the program is about: never scrolled away with two runs.
   runsArea->setMinimumHeight(runsArea->sizeHint().height());
   QDockWidget* runs = addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), runsArea);
-  QDockWidget* energy = addPanel(Qt::BottomDockWidgetArea, "energy", tr("Energy"), m_energy);
+  QDockWidget* charts = addPanel(Qt::BottomDockWidgetArea, "charts", tr("Charts"), m_charts);
   tabifyDockWidget(scene, weights);
   // Their tabs are their titles.
   for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
-  energy->setTitleBarWidget(new PanelTitle(energy, m_energy->chooser()));
+  charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
   scene->raise();
 }
 
-/// The scene gets most of the window, and the chart what it needs to be read.
+/// As the user left them, else so that scene and chart share their height.
 void MainWindow::sizePanels() {
-  const int chartHeight = std::max(kLeastChartHeight, static_cast<int>(height() * kChartShare));
-  resizeDocks({findChild<QDockWidget*>("energy")}, {chartHeight}, Qt::Vertical);
+  if (restoreState(Settings().panels())) return;
+  auto* charts = findChild<QDockWidget*>("charts");
+  const int shared = m_view->height() + charts->height();
+  resizeDocks({charts}, {static_cast<int>(shared * kChartShare)}, Qt::Vertical);
   auto* runs = findChild<QDockWidget*>("runs");
   resizeDocks({runs}, {runs->sizeHint().height()}, Qt::Vertical);
 }
@@ -294,6 +293,7 @@ void MainWindow::changeSpeed(int steps) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(m_files->mayLeaveScene());
+  if (event->isAccepted()) Settings().setPanels(saveState());
 }
 
 }  // namespace ui

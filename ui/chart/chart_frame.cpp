@@ -15,14 +15,39 @@ namespace ui {
 namespace {
 
 void showScale(QValueAxis& axis, const NiceScale& scale, const QString& title) {
+  axis.setTickType(QValueAxis::TicksFixed);
   axis.setLabelFormat(QStringLiteral("%.%1f").arg(scale.decimals()));
   axis.setTickCount(scale.tickCount());
   axis.setRange(scale.lowest, scale.highest);
   axis.setTitleText(title);
 }
 
+/// Between ticks, as a zoom leaves it.
+void showPart(QValueAxis& axis, const AxisScale& scale, const QString& title) {
+  axis.setLabelFormat(QStringLiteral("%.%1f").arg(scale.ticks.decimals()));
+  axis.setTitleText(title);
+  // In this order, or for a moment there would be millions of ticks.
+  axis.setTickType(QValueAxis::TicksFixed);
+  axis.setRange(scale.lowest, scale.highest);
+  axis.setTickAnchor(0);
+  axis.setTickInterval(scale.ticks.step);
+  axis.setTickType(QValueAxis::TicksDynamic);
+}
+
+void showScale(QValueAxis& axis, const AxisScale& scale, const QString& quantity) {
+  const bool endsOnTicks =
+      scale.lowest == scale.ticks.lowest && scale.highest == scale.ticks.highest;
+  if (endsOnTicks) {
+    showScale(axis, scale.ticks, scale.title(quantity));
+  } else {
+    showPart(axis, scale, scale.title(quantity));
+  }
+}
+
 // Around everything, in multiples of the font's size.
 constexpr double kPadding = 0.7;
+// Of a heading beside the plot, in the same unit.
+constexpr double kWidthBeside = 19;
 
 }  // namespace
 
@@ -72,6 +97,14 @@ void ChartFrame::setVertical(const NiceScale& scale, const QString& title) {
   showScale(*m_vertical, scale, title);
 }
 
+void ChartFrame::setHorizontal(const AxisScale& scale, const QString& quantity) {
+  showScale(*m_horizontal, scale, quantity);
+}
+
+void ChartFrame::setVertical(const AxisScale& scale, const QString& quantity) {
+  showScale(*m_vertical, scale, quantity);
+}
+
 QLineSeries* ChartFrame::addCurve(const QString& name) {
   auto* curve = new QLineSeries;
   curve->setName(name);
@@ -103,7 +136,7 @@ QSizeF ChartFrame::unitSize() const {
           size.height() / (m_vertical->max() - m_vertical->min())};
 }
 
-/// Before the chart has laid itself out, from what stands around the plot.
+/// From what stands around the plot.
 QSizeF ChartFrame::plotSize() const {
   constexpr QSizeF kAxes(5, 4);  // in multiples of the font's size
   const QMarginsF margins = m_chart->margins();
@@ -111,12 +144,40 @@ QSizeF ChartFrame::plotSize() const {
 }
 
 void ChartFrame::layOut() {
-  const int padding = qRound(kPadding * m_look.font.pixelSize());
-  m_heading->setPos(padding, padding);
-  const double height = m_heading->layOut(m_chart->size().width() - 2 * padding);
+  if (!putHeadingBeside()) putHeadingAbove();
+}
+
+/// Where the chart is wide and low its height belongs to the plot.
+/// @return  whether there is room
+bool ChartFrame::putHeadingBeside() {
+  constexpr double kWide = 2.4;   // of the height
+  constexpr double kShare = 0.4;  // of the width, at most
+  const int em = m_look.font.pixelSize();
+  const QSizeF size = m_chart->size();
+  if (size.width() < kWide * size.height()) return false;
+  const int pad = padding();
+  const double width = std::min(kShare * size.width(), kWidthBeside * em);
+  const double height = m_heading->layOut(width);
+  if (height + 2 * pad > size.height()) return false;
+  m_heading->setPos(size.width() - width - pad, pad);
+  setMargins({pad, 3 * pad / 2, qRound(width) + 3 * pad, pad});
+  return true;
+}
+
+void ChartFrame::putHeadingAbove() {
+  const int pad = padding();
+  m_heading->setPos(pad, pad);
+  const double height = m_heading->layOut(m_chart->size().width() - 2 * pad);
   // On the right half a label stands out over the last tick.
-  const QMargins margins(padding, qRound(height) + 3 * padding / 2, 2 * padding, padding);
+  setMargins({pad, qRound(height) + 3 * pad / 2, 2 * pad, pad});
+}
+
+void ChartFrame::setMargins(const QMargins& margins) {
   if (m_chart->margins() != margins) m_chart->setMargins(margins);
+}
+
+int ChartFrame::padding() const {
+  return qRound(kPadding * m_look.font.pixelSize());
 }
 
 }  // namespace ui

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <QMargins>
 #include <QObject>
 #include <QSizeF>
 #include <QString>
 
 #include "ui/chart/chart_heading.h"
 #include "ui/chart/chart_look.h"
+#include "ui/chart/chart_scales.h"
 #include "ui/chart/nice_scale.h"
 
 class QChart;
@@ -15,7 +17,7 @@ class QValueAxis;
 namespace ui {
 
 /// What every chart of ours has: two axes with titles and nice limits, a heading with a
-/// legend, and a look. Belongs to its chart as a child object.
+/// legend above or beside the plot, and a look. Belongs to its chart as a child object.
 class ChartFrame : public QObject {
   Q_OBJECT
 
@@ -27,8 +29,11 @@ class ChartFrame : public QObject {
   const ChartLook& look() const { return m_look; }
 
   void setHeading(HeadingContent content);
+  const ChartHeading& heading() const { return *m_heading; }
   void setHorizontal(const NiceScale& scale, const QString& title);
   void setVertical(const NiceScale& scale, const QString& title);
+  void setHorizontal(const AxisScale& scale, const QString& quantity);
+  void setVertical(const AxisScale& scale, const QString& quantity);
 
   /// A new curve along both axes; belongs to the chart.
   QLineSeries* addCurve(const QString& name);
@@ -37,6 +42,8 @@ class ChartFrame : public QObject {
   /// Most intervals between labels that have room at the present size.
   int horizontalIntervals() const;
   int verticalIntervals() const;
+  /// About the size of the plot, also before the chart has laid itself out [px].
+  QSizeF plotSize() const;
   /// About the size of one unit of both axes [px].
   QSizeF unitSize() const;
 
@@ -46,7 +53,10 @@ class ChartFrame : public QObject {
 
  private:
   void layOut();
-  QSizeF plotSize() const;
+  bool putHeadingBeside();
+  void putHeadingAbove();
+  void setMargins(const QMargins& margins);
+  int padding() const;
   QValueAxis* addAxis(Qt::Alignment side);
 
   QChart* m_chart;  // the parent

@@ -70,6 +70,10 @@ std::vector<const core::Run*> RunController::runs() const {
   return runs;
 }
 
+void RunController::follow(int weight) {
+  for (const auto& lane : m_lanes) lane->recording.follow(lane->run, weight);
+}
+
 bool RunController::canGoOn() const {
   return std::any_of(m_lanes.begin(), m_lanes.end(),
                      [](const auto& lane) { return lane->goesOn(); });

@@ -45,6 +45,8 @@ class RunController : public QObject {
   const core::Run& run(int index) const;
   const core::Recording& recording(int index) const;
   std::vector<const core::Run*> runs() const;
+  /// Lets all recordings tell how this weight moves.
+  void follow(int weight);
 
   /// The moment shown [s]: inside the latest step of every run that still goes on.
   double time() const { return m_clock.time(); }
