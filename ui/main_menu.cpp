@@ -41,11 +41,25 @@ void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
 
 void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* run = bar->addMenu(tr("&Run"));
-  addCommands(run, commands, {Command::kPlay, Command::kStep, Command::kStepFrame});
+  addCommands(run, commands,
+              {Command::kPlay, Command::kStep, Command::kStepBack, Command::kStepFrame,
+               Command::kStepFrameBack});
+  addGoToMenu(run->addMenu(tr("&Go to")), commands);
   run->addSeparator();
   addCommands(run, commands, {Command::kCut, Command::kReset});
   run->addSeparator();
   addCommands(run, commands, {Command::kSlower, Command::kFaster});
+}
+
+void MainMenu::addGoToMenu(QMenu* menu, const Commands& commands) {
+  addCommands(menu, commands, {Command::kNextEvent, Command::kPreviousEvent});
+  menu->addSeparator();
+  addCommands(menu, commands,
+              {Command::kNextImpact, Command::kPreviousImpact, Command::kNextTurningPoint,
+               Command::kPreviousTurningPoint, Command::kNextCut, Command::kPreviousCut});
+  menu->addSeparator();
+  addCommands(menu, commands,
+              {Command::kGoToStart, Command::kGoToEnd, Command::kGoTo, Command::kStopTravelling});
 }
 
 void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "ui/control/commands.h"
+#include "ui/control/event_navigator.h"
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
 #include "ui/control/run_controller.h"
@@ -21,8 +22,10 @@
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
 #include "ui/control/settings.h"
+#include "ui/control/time_commands.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
+#include "ui/panels/events_panel.h"
 #include "ui/panels/help_dialogs.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/panel_title.h"
@@ -30,6 +33,8 @@
 #include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/timeline.h"
+#include "ui/panels/travel_bar.h"
 #include "ui/panels/weights_form.h"
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
@@ -66,6 +71,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
       m_appearance(new Appearance(this)),
       m_editor(new SceneEditor(scene, this)),
       m_controller(new RunController(this)),
+      m_events(new EventNavigator(m_controller, this)),
       m_ticker(new FrameTicker(this)),
       m_commands(new Commands(this)),
       m_files(new SceneFiles(m_editor, file, this)),
@@ -103,6 +109,7 @@ void MainWindow::buildCentre() {
   layout->addWidget(m_problemBar);
   layout->addWidget(m_stopBar);
   layout->addWidget(m_view, 1);
+  layout->addWidget(new Timeline(m_controller, m_events));
   layout->addWidget(m_playback);
   setCentralWidget(centre);
 }
@@ -119,12 +126,17 @@ void MainWindow::buildPanels() {
   runsArea->setMinimumHeight(runsArea->sizeHint().height());
   QDockWidget* runs = addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), runsArea);
   QDockWidget* charts = addPanel(Qt::BottomDockWidgetArea, "charts", tr("Charts"), m_charts);
+  auto* eventsPanel = new EventsPanel(m_controller, m_events);
+  QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
   tabifyDockWidget(scene, weights);
+  tabifyDockWidget(charts, events);
   // Their tabs are their titles.
   for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
   charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
+  events->setTitleBarWidget(new PanelTitle(events, eventsPanel->filters()));
   scene->raise();
+  charts->raise();
 }
 
 /// As the user left them, else so that scene and chart share their height.
@@ -173,6 +185,7 @@ void MainWindow::buildMenus() {
 void MainWindow::buildStatusBar() {
   m_painterLabel = new QLabel;
   m_painterLabel->setContentsMargins(0, 0, 8, 0);
+  statusBar()->addPermanentWidget(new TravelBar(m_controller));
   statusBar()->addPermanentWidget(m_painterLabel);
 }
 
@@ -181,10 +194,9 @@ void MainWindow::connectPlayback() {
     connect(m_commands->action(command), &QAction::triggered, m_controller, slot);
   };
   on(Command::kPlay, &RunController::togglePlaying);
-  on(Command::kStep, &RunController::stepOnce);
-  on(Command::kStepFrame, &RunController::stepFrame);
   on(Command::kCut, &RunController::cutAll);
   on(Command::kReset, &RunController::reset);
+  new TimeCommands(*m_commands, m_controller, m_events, this);
   connect(m_commands->action(Command::kSlower), &QAction::triggered, this,
           [this] { changeSpeed(-1); });
   connect(m_commands->action(Command::kFaster), &QAction::triggered, this,
@@ -192,11 +204,11 @@ void MainWindow::connectPlayback() {
   connect(m_playback, &PlaybackBar::speedChosen, m_controller, &RunController::setSpeed);
 
   connect(m_ticker, &FrameTicker::ticked, m_controller, &RunController::passTime);
-  connect(m_controller, &RunController::playingChanged, m_ticker, &FrameTicker::setRunning);
+  connect(m_controller, &RunController::busyChanged, m_ticker, &FrameTicker::setRunning);
   connect(m_controller, &RunController::playingChanged, m_commands, &Commands::showPlaying);
   connect(m_controller, &RunController::speedChanged, m_playback, &PlaybackBar::showSpeed);
   connect(m_controller, &RunController::timeShown, this, &MainWindow::showTime);
-  connect(m_controller, &RunController::runStopped, this, &MainWindow::showStopped);
+  connect(m_controller, &RunController::runStatusChanged, this, &MainWindow::showStopped);
   connect(m_controller, &RunController::canCutChanged, m_commands->action(Command::kCut),
           &QAction::setEnabled);
   m_commands->action(Command::kCut)->setEnabled(m_controller->canCut());
@@ -231,6 +243,8 @@ void MainWindow::connectFiles() {
 
   const auto say = [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); };
   connect(m_files, &SceneFiles::done, this, say);
+  connect(m_events, &EventNavigator::nothingFound, this, say);
+  connect(findChild<EventsPanel*>(), &EventsPanel::done, this, say);
   connect(m_exports, &Exports::done, this, say);
   connect(m_files, &SceneFiles::fileChanged, this, &MainWindow::showTitle);
   connect(m_editor, &SceneEditor::modifiedChanged, this, &QWidget::setWindowModified);
@@ -266,9 +280,6 @@ void MainWindow::showStopped() {
     if (run->status() != core::RunStatus::kRunning) stopped << stopWords(*run);
   }
   m_stopBar->say(stopped.join('\n'));
-  for (const Command command : {Command::kPlay, Command::kStep, Command::kStepFrame}) {
-    m_commands->action(command)->setEnabled(m_controller->canGoOn());
-  }
 }
 
 void MainWindow::showProblems() {

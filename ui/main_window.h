@@ -13,6 +13,7 @@ namespace ui {
 class Appearance;
 class ChartsPanel;
 class Commands;
+class EventNavigator;
 class Exports;
 class FrameTicker;
 class MainMenu;
@@ -71,6 +72,7 @@ class MainWindow : public QMainWindow {
   Appearance* m_appearance;
   SceneEditor* m_editor;
   RunController* m_controller;
+  EventNavigator* m_events;
   FrameTicker* m_ticker;
   Commands* m_commands;
   SceneFiles* m_files;

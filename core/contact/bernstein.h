@@ -95,6 +95,7 @@ template <int kDegree>
 std::optional<double> firstFall(Bernstein<kDegree> b, double tolerance) {
   for (double& coefficient : b) coefficient += tolerance;
   if (b[0] <= 0) return 0.0;
+  if (*std::min_element(b.begin(), b.end()) > 0) return std::nullopt;
   struct Stretch {
     Bernstein<kDegree> b;
     double begin;

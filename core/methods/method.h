@@ -9,6 +9,7 @@ namespace core {
 /// How a weight moves between the two ends of a step.
 enum class PathShape : std::uint8_t {
   kStraight,  ///< every entry of the state changes evenly, which is what Euler's method says
+  kParabola,  ///< through both ends with the slope at the start
   kCubic,     ///< the cubic through both ends with both slopes (Hermite)
 };
 

@@ -16,7 +16,7 @@ struct RungeKutta4 {
   /// Pure: the result depends on the arguments alone.
   ///
   /// @param slope  f in dx/dt = f(x)
-  /// @param x      state at the start: one weight's, or one row per weight in a batch
+  /// @param x      state at the start: one weight's, or a batch's
   /// @param k1     f(x), known already
   /// @param h      step [s], finite and ≥ 0
   /// @return       the four slopes and the state at the end; non-finite if f was

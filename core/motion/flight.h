@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "core/motion/state.h"
 
 namespace core {
@@ -12,7 +14,7 @@ namespace core {
 ///     y' = v_y        v_y' = −g − q |v| v_y
 ///     Q' = m q |v|³
 ///
-/// `Number` is double for one weight or Lanes<n> for a batch of n weights.
+/// `Number` is double for one weight or Lanes for a batch.
 /// Derivation: core/model.md, "Flight".
 template <class Number = double>
 class Flight {
@@ -24,17 +26,16 @@ class Flight {
       : m_gravity(gravity), m_drag(drag), m_heating(mass * drag) {}
 
   /// dx/dt at x, entries in SI units per second.
-  template <class State>
-  State operator()(const State& x) const {
-    using Column = Eigen::Array<double, State::RowsAtCompileTime, 1>;
-    const Column squaredSpeed = x.col(2) * x.col(2) + x.col(3) * x.col(3);
-    const Column speed = squaredSpeed.sqrt();
-    State slope;
-    slope.col(0) = x.col(2);
-    slope.col(1) = x.col(3);
-    slope.col(2) = -m_drag * speed * x.col(2);
-    slope.col(3) = -m_gravity - m_drag * speed * x.col(3);
-    slope.col(4) = m_heating * speed * squaredSpeed;
+  FlightState<Number> operator()(const FlightState<Number>& x) const {
+    using std::sqrt;
+    const Number squaredSpeed = x[2] * x[2] + x[3] * x[3];
+    const Number speed = sqrt(squaredSpeed);
+    FlightState<Number> slope;
+    slope[0] = x[2];
+    slope[1] = x[3];
+    slope[2] = -m_drag * speed * x[2];
+    slope[3] = -m_gravity - m_drag * speed * x[3];
+    slope[4] = m_heating * speed * squaredSpeed;
     return slope;
   }
 

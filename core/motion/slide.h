@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "core/motion/state.h"
 
 namespace core {
@@ -26,14 +28,12 @@ class Slide {
       : m_friction(friction * way), m_drag(drag), m_heating(mass * drag) {}
 
   /// dx/dt at x, entries in SI units per second.
-  template <class State>
-  State operator()(const State& x) const {
-    using Column = Eigen::Array<double, State::RowsAtCompileTime, 1>;
-    const Column speed = x.col(1).abs();
-    State slope;
-    slope.col(0) = x.col(1);
-    slope.col(1) = -m_drag * speed * x.col(1) - m_friction;
-    slope.col(2) = m_heating * speed * speed * speed;
+  SlideState<> operator()(const SlideState<>& x) const {
+    const double speed = std::abs(x[1]);
+    SlideState<> slope;
+    slope[0] = x[1];
+    slope[1] = -m_drag * speed * x[1] - m_friction;
+    slope[2] = m_heating * speed * speed * speed;
     return slope;
   }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+
+#include "core/motion/sine.h"
 #include "core/motion/state.h"
 
 namespace core {
@@ -13,7 +16,7 @@ namespace core {
 ///     ω' = −(g/L) sin θ − κ |ω| ω        κ = q L = ρ c_d A L / (2 m)
 ///     Q' = m κ L² |ω|³
 ///
-/// `Number` is double for one weight or Lanes<n> for a batch of n weights.
+/// `Number` is double for one weight or Lanes for a batch.
 /// Derivation: core/model.md, "Swing".
 template <class Number = double>
 class Swing {
@@ -28,14 +31,14 @@ class Swing {
         m_heating(mass * m_drag * length * length) {}
 
   /// dx/dt at x, entries in SI units per second.
-  template <class State>
-  State operator()(const State& x) const {
-    using Column = Eigen::Array<double, State::RowsAtCompileTime, 1>;
-    const Column speed = x.col(1).abs();
-    State slope;
-    slope.col(0) = x.col(1);
-    slope.col(1) = -m_pull * x.col(0).sin() - m_drag * speed * x.col(1);
-    slope.col(2) = m_heating * speed * speed * speed;
+  SwingState<Number> operator()(const SwingState<Number>& x) const {
+    using std::abs;
+    const Number& omega = x[1];
+    const Number speed = abs(omega);
+    SwingState<Number> slope;
+    slope[0] = omega;
+    slope[1] = -m_pull * sine(x[0]) - m_drag * speed * omega;
+    slope[2] = m_heating * speed * speed * speed;
     return slope;
   }
 

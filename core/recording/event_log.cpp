@@ -10,15 +10,20 @@ void EventLog::append(std::span<const Event> events) {
   const std::size_t surplus = m_events.size() - m_most / 2;
   m_events.erase(m_events.begin(), m_events.begin() + static_cast<std::ptrdiff_t>(surplus));
   m_forgotten += surplus;
+  ++m_revision;
 }
 
 void EventLog::clear() {
   m_events.clear();
   m_forgotten = 0;
+  ++m_revision;
 }
 
 void EventLog::dropFrom(double time) {
-  m_events.erase(std::ranges::lower_bound(m_events, time, {}, &Event::time), m_events.end());
+  const auto from = std::ranges::lower_bound(m_events, time, {}, &Event::time);
+  if (from == m_events.end()) return;
+  m_events.erase(from, m_events.end());
+  ++m_revision;
 }
 
 }  // namespace core

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,10 +23,13 @@ class EventLog {
 
   std::span<const Event> events() const { return m_events; }
   std::size_t forgotten() const { return m_forgotten; }
+  /// Another number when kept events were forgotten; appending alone leaves it as it is.
+  std::uint64_t revision() const { return m_revision; }
 
  private:
   std::size_t m_most;
   std::size_t m_forgotten = 0;
+  std::uint64_t m_revision = 0;
   std::vector<Event> m_events;
 };
 

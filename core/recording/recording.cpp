@@ -74,17 +74,38 @@ void Recording::forgetAfter(const Run& run) {
     if (event.time >= run.time()) m_events.append({&event, 1});
 }
 
-void Recording::restore(Run& run, std::int64_t step) const {
-  assert(m_firstStep <= step && step <= m_lastStep);
-  // One step earlier if there is one, so that the paths that led here are there too.
-  auto from = m_states.lower_bound(step);
-  if (from != m_states.begin()) from = std::prev(from);
-  run.restore(from->second);
-  while (run.stepCount() < step) {
-    repeatCuts(run);
-    run.advance();
-  }
+RunStatus Recording::advance(Run& run) {
+  if (run.advance() != RunStatus::kRunning) return run.status();
+  record(run);
   repeatCuts(run);
+  return run.status();
+}
+
+void Recording::restore(Run& run, std::int64_t step) const {
+  beginRestore(run, step);
+  while (run.stepCount() < step) replay(run);
+}
+
+void Recording::beginRestore(Run& run, std::int64_t step) const {
+  assert(m_firstStep <= step && step <= m_lastStep);
+  run.restore(keptBefore(step)->second);
+  repeatCuts(run);
+}
+
+void Recording::replay(Run& run) const {
+  assert(m_firstStep <= run.stepCount() && run.stepCount() < m_lastStep);
+  run.advance();
+  repeatCuts(run);
+}
+
+std::int64_t Recording::keptStepBefore(std::int64_t step) const {
+  return keptBefore(step)->first;
+}
+
+/// One step earlier if there is one, so that the paths that led to the step are there too.
+std::map<std::int64_t, RunState>::const_iterator Recording::keptBefore(std::int64_t step) const {
+  const auto from = m_states.lower_bound(step);
+  return from == m_states.begin() ? from : std::prev(from);
 }
 
 void Recording::follow(const Run& run, int weight) {

@@ -32,15 +32,33 @@ class Recording {
   /// step that is recorded already, as after restore(), stays as it is.
   void record(const Run& run);
 
+  /// Takes the run's next step: again, with the cuts by hand that belong there, where it is
+  /// recorded already; else anew, and records it.
+  RunStatus advance(Run& run);
+
   /// Cuts ropes by hand and remembers it. Everything recorded after the run's present step
   /// is forgotten: the future is another one now.
   void cutAll(Run& run);
   void cut(Run& run, int weight);
+  /// Forgets everything recorded after the run's present step.
+  void forgetAfter(const Run& run);
 
   /// Brings the run to that step, bit for bit as it was, with the paths of the step that
   /// led there.
   /// @pre firstStep() ≤ step ≤ lastStep()
   void restore(Run& run, std::int64_t step) const;
+
+  // The same in pieces, for runs whose steps take long: after beginRestore() replay() leads to
+  // the step, one step a call.
+
+  /// Brings the run to the kept state that restore() starts from.
+  /// @pre as for restore()
+  void beginRestore(Run& run, std::int64_t step) const;
+  /// Takes the next step of the record again.
+  /// @pre the run stands at a recorded step before lastStep()
+  void replay(Run& run) const;
+  /// The step that beginRestore() starts from: before `step` unless that is the first.
+  std::int64_t keptStepBefore(std::int64_t step) const;
 
   /// Lets motion() tell about this weight too: from now on at every step, about the past
   /// as far as states of it are kept.
@@ -63,7 +81,7 @@ class Recording {
   void keep(const Run& run);
   void thinStates();
   void repeatCuts(Run& run) const;
-  void forgetAfter(const Run& run);
+  std::map<std::int64_t, RunState>::const_iterator keptBefore(std::int64_t step) const;
 
   std::size_t m_budget;
   std::size_t m_stateBytes = 0;

@@ -22,6 +22,7 @@ Engine::Engine(std::shared_ptr<const Scene> scene, Solver solver)
       m_solver(std::move(solver)),
       m_bodies(bodiesOf(*m_scene)),
       m_stepper(*findMethod(m_solver.method), m_scene->gravity, m_scene->room.friction),
+      m_batch(m_stepper.method(), m_scene->gravity),
       m_tolerance(toleranceFor(*m_scene)),
       m_foresight(*m_scene, m_tolerance) {
   m_now.weights.reserve(m_bodies.size());
@@ -72,7 +73,7 @@ RunStatus Engine::advance() {
 
 void Engine::beginStep() {
   m_before = m_now;
-  m_events = std::move(m_now.pending);
+  m_events.swap(m_now.pending);
   m_now.pending.clear();
   m_eventMoments.assign(m_events.size(), 0);
   m_quietLosses.clear();
@@ -100,10 +101,18 @@ void Engine::placeAll() {
 }
 
 bool Engine::stepAll() {
+  for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+    Piece& piece = m_moving[i].piece;
+    if (BatchStepper::takes(piece)) {
+      m_batch.add(m_bodies[i], piece);
+    } else {
+      m_stepper.fill(m_bodies[i], piece);
+    }
+  }
+  m_stepper.addEvaluations(m_batch.finish());
   m_boxes.resize(m_bodies.size());
   for (int i = 0; i < static_cast<int>(m_bodies.size()); ++i) {
-    Piece& piece = m_moving[i].piece;
-    m_stepper.fill(m_bodies[i], piece);
+    const Piece& piece = m_moving[i].piece;
     if (!isFinite(i)) return false;
     m_boxes[i] = boxOf(m_bodies[i], piece, piece.begin, piece.end);
   }
@@ -139,17 +148,27 @@ void Engine::scheduleOwn(int index) {
   const Body& body = m_bodies[index];
   const Piece& piece = m_moving[index].piece;
   if (piece.settled) return;  // its contacts are its group's
-  if (const auto moment = m_foresight.wall(body, piece))
+  if (const auto moment = m_foresight.wall(body, piece, m_boxes[index]))
     push(moment->time, index, -1, moment->wall, moment->pressing);
-  if (const auto moment = m_foresight.slack(body, piece))
-    push(*moment, index, -1, Upcoming::Kind::kSlack);
+  switch (piece.mode) {
+    case Mode::kSwing:
+      if (const auto moment = m_foresight.slack(body, piece))
+        push(*moment, index, -1, Upcoming::Kind::kSlack);
+      return scheduleTurningPoint(index, piece.begin);
+    case Mode::kSlide:
+      if (const auto moment = m_foresight.stop(piece))
+        push(*moment, index, -1, Upcoming::Kind::kStop);
+      break;
+    case Mode::kFlight:
+      if (body.drag > 0 && method().mindsKinks())
+        if (const auto moment = m_foresight.apex(piece))
+          push(*moment, index, -1, Upcoming::Kind::kApex);
+      break;
+    case Mode::kHeld:
+      return;
+  }
   if (const auto moment = m_foresight.taut(body, piece))
     push(*moment, index, -1, Upcoming::Kind::kTaut);
-  if (const auto moment = m_foresight.stop(piece)) push(*moment, index, -1, Upcoming::Kind::kStop);
-  if (body.drag > 0 && method().mindsKinks())
-    if (const auto moment = m_foresight.apex(piece))
-      push(*moment, index, -1, Upcoming::Kind::kApex);
-  scheduleTurningPoint(index, piece.begin);
 }
 
 void Engine::scheduleTurningPoint(int index, double from) {
@@ -216,9 +235,10 @@ bool Engine::isFinite(int index) const {
   constexpr double kLargest = 1e150;
   // Nor where a weight is that crosses the room within the last digit of a time in the step.
   const double fastest = 1e15 * std::max(m_scene->room.width, m_scene->room.height) / m_solver.step;
-  const Eigen::Vector2d velocity = velocityOf(m_bodies[index], piece.mode, piece.endState);
+  const double scale = isTethered(piece.mode) ? m_bodies[index].length : 1;
   return (piece.endState.abs() < kLargest).all() && (piece.endSlope.abs() < kLargest).all() &&
-         (piece.beginSlope.abs() < kLargest).all() && velocity.cwiseAbs().maxCoeff() < fastest;
+         (piece.beginSlope.abs() < kLargest).all() &&
+         (scale * piece.endState.segment<2>(2).abs() < fastest).all();
 }
 
 double Engine::slideLoss(int index, const Piece& piece, double s) const {

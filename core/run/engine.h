@@ -11,6 +11,7 @@
 #include "core/contact/broad_phase.h"
 #include "core/contact/impulse.h"
 #include "core/contact/resting.h"
+#include "core/run/batch_stepper.h"
 #include "core/run/engine_state.h"
 #include "core/run/event_queue.h"
 #include "core/run/foresight.h"
@@ -159,6 +160,7 @@ class Engine {
   Solver m_solver;
   std::vector<Body> m_bodies;
   Stepper m_stepper;
+  BatchStepper m_batch;
   ContactTolerance m_tolerance;
   Foresight m_foresight;
   double m_startEnergy = 0;

@@ -38,7 +38,7 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
     Piece done = moving.piece;
     done.end = s;
     done.endState = before;
-    if (!done.straight) done.endSlope = m_stepper.slopeOn(m_bodies[index], done, before);
+    if (!done.straight) done.endSlope = m_stepper.pathEndSlope(m_bodies[index], done);
     m_now.losses.friction += slideLoss(index, done, s);
     m_finished.push_back({done, moving.finished});
     moving.finished = static_cast<int>(m_finished.size()) - 1;

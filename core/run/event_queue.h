@@ -1,10 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <tuple>
 #include <vector>
-
-#include <queue>
 
 namespace core {
 
@@ -40,21 +39,25 @@ struct Upcoming {
 /// Entries whose weight has got another piece since are stale: whoever pops them skips them.
 class EventQueue {
  public:
-  void push(const Upcoming& event) { m_queue.push(event); }
-  bool isEmpty() const { return m_queue.empty(); }
-  void clear() { m_queue = {}; }
+  void push(const Upcoming& event) {
+    m_heap.push_back(event);
+    std::ranges::push_heap(m_heap, isLater);
+  }
+  bool isEmpty() const { return m_heap.empty(); }
+  /// Keeps the memory for the next step.
+  void clear() { m_heap.clear(); }
 
   Upcoming pop() {
-    const Upcoming first = m_queue.top();
-    m_queue.pop();
+    std::ranges::pop_heap(m_heap, isLater);
+    const Upcoming first = m_heap.back();
+    m_heap.pop_back();
     return first;
   }
 
  private:
-  struct IsLater {
-    bool operator()(const Upcoming& a, const Upcoming& b) const { return a.order() > b.order(); }
-  };
-  std::priority_queue<Upcoming, std::vector<Upcoming>, IsLater> m_queue;
+  static bool isLater(const Upcoming& a, const Upcoming& b) { return a.order() > b.order(); }
+
+  std::vector<Upcoming> m_heap;
 };
 
 }  // namespace core

@@ -1,5 +1,6 @@
 #include "core/run/foresight.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace core {
@@ -75,18 +76,21 @@ std::optional<Foresight::Moment> Foresight::meetingBetween(const Body& a, const 
   return Moment{from + contact->u * (to - from), contact->pressing};
 }
 
-std::optional<Foresight::WallMoment> Foresight::wall(const Body& body, const Piece& piece) const {
-  if (piece.mode == Mode::kHeld) return std::nullopt;
+std::optional<Foresight::WallMoment> Foresight::wall(const Body& body, const Piece& piece,
+                                                     const Box& box) const {
+  if (piece.mode == Mode::kHeld || isInside(box)) return std::nullopt;
   return wallBetween(body, piece, piece.begin, piece.end);
+}
+
+bool Foresight::isInside(const Box& box) const {
+  return (box.low.array() > m_tolerance.gap).all() &&
+         box.high.x() < m_room.width - m_tolerance.gap &&
+         box.high.y() < m_room.height - m_tolerance.gap;
 }
 
 std::optional<Foresight::WallMoment> Foresight::wallBetween(const Body& body, const Piece& piece,
                                                             double from, double to) const {
-  const Box box = boxOf(body, piece, from, to);
-  const bool inside = (box.low.array() > m_tolerance.gap).all() &&
-                      box.high.x() < m_room.width - m_tolerance.gap &&
-                      box.high.y() < m_room.height - m_tolerance.gap;
-  if (inside) return std::nullopt;
+  if (isInside(boxOf(body, piece, from, to))) return std::nullopt;
   if (turnWithin(piece, from, to) > kArc) {
     const double middle = 0.5 * (from + to);
     if (middle <= from || middle >= to) return std::nullopt;
@@ -133,6 +137,11 @@ double Foresight::tension(const Body& body, const Entries& state) const {
 
 std::optional<double> Foresight::slack(const Body& body, const Piece& piece) const {
   if (piece.mode != Mode::kSwing || body.rigid) return std::nullopt;
+  // Below the pivot's height gravity alone keeps the rope taut.
+  const Bernstein<3> angle = piece.entry(0);
+  constexpr double kNearlyLevel = 1.5;
+  if (std::ranges::all_of(angle, [](double a) { return std::abs(a) < kNearlyLevel; }))
+    return std::nullopt;
   return slackBetween(body, piece, piece.begin, piece.end);
 }
 

@@ -30,7 +30,8 @@ class Foresight {
                                 const Piece& pieceB) const;
 
   /// First contact with any of the four walls within the piece.
-  std::optional<WallMoment> wall(const Body& body, const Piece& piece) const;
+  /// @param box  boxOf() the whole piece
+  std::optional<WallMoment> wall(const Body& body, const Piece& piece, const Box& box) const;
 
   /// First moment after `from` where the rope's angular velocity passes zero.
   std::optional<double> turningPoint(const Piece& piece, double from) const;
@@ -52,6 +53,7 @@ class Foresight {
   double tension(const Body& body, const Entries& state) const;
 
  private:
+  bool isInside(const Box& box) const;
   std::optional<Moment> meetingBetween(const Body& a, const Piece& pieceA, const Body& b,
                                        const Piece& pieceB, double from, double to) const;
   std::optional<WallMoment> wallBetween(const Body& body, const Piece& piece, double from,

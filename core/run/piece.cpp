@@ -25,8 +25,9 @@ Entries Piece::at(double s) const {
 
 Entries Piece::rateAt(double s) const {
   const double duration = end - begin;
-  if (straight || duration <= 0) return beginSlope;
-  const double u = std::clamp((s - begin) / duration, 0.0, 1.0);
+  if (straight || s <= begin || duration <= 0) return beginSlope;
+  if (s >= end) return endSlope;
+  const double u = (s - begin) / duration;
   return 6 * u * (1 - u) / duration * (endState - beginState) + (1 - u) * (1 - 3 * u) * beginSlope +
          u * (3 * u - 2) * endSlope;
 }

@@ -39,9 +39,10 @@ struct Piece {
   double begin = 0;  ///< [s]
   double end = 0;    ///< [s]
   Mode mode = Mode::kFlight;
-  bool tied = false;      ///< to a rope or rod, taut or slack
-  bool settled = false;   ///< one of a group in lasting contact: moves evenly, see engine_resting
-  bool straight = false;  ///< every entry changes evenly; else Hermite's cubic
+  bool tied = false;     ///< to a rope or rod, taut or slack
+  bool settled = false;  ///< one of a group in lasting contact: moves evenly, see engine_resting
+  bool straight =
+      false;  ///< every entry changes evenly; else Hermite's cubic, or a parabola as one
   Entries beginState = Entries::Zero();
   Entries endState = Entries::Zero();
   Entries beginSlope = Entries::Zero();  ///< d(state)/dt

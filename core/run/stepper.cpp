@@ -6,6 +6,7 @@
 #include "core/motion/flight.h"
 #include "core/motion/slide.h"
 #include "core/motion/swing.h"
+#include "core/run/path_end.h"
 
 namespace core {
 namespace {
@@ -65,7 +66,13 @@ void Stepper::fill(const Body& body, Piece& piece) {
   piece.straight = m_method->path == PathShape::kStraight;
   piece.beginSlope = slope(body, piece.mode, piece.beginState);
   piece.endState = step(body, piece, piece.end - piece.begin);
-  piece.endSlope = piece.straight ? piece.beginSlope : slopeOn(body, piece, piece.endState);
+  piece.endSlope = pathEndSlope(body, piece);
+}
+
+Entries Stepper::pathEndSlope(const Body& body, const Piece& piece) {
+  return core::pathEndSlope(
+      m_method->path, [&](const Entries& state) { return slopeOn(body, piece, state); },
+      piece.beginState, piece.endState, piece.beginSlope, piece.end - piece.begin);
 }
 
 void Stepper::fillSettled(const Body& body, Piece& piece) {

@@ -24,6 +24,9 @@ class Stepper {
   /// starts, past its stop as well: the stop is a root of its smooth path.
   Entries slopeOn(const Body& body, const Piece& piece, const Entries& state);
 
+  /// d/ds of the path at the end of a piece whose both ends and beginSlope are known.
+  Entries pathEndSlope(const Body& body, const Piece& piece);
+
   /// Fills in the end of a piece whose begin, end, mode and beginState are set: one step of
   /// the method from its begin to its end. A settled weight keeps its velocity.
   void fill(const Body& body, Piece& piece);
@@ -39,6 +42,8 @@ class Stepper {
   /// Slope evaluations so far.
   std::int64_t evaluations() const { return m_evaluations; }
   void setEvaluations(std::int64_t count) { m_evaluations = count; }
+  /// Counts evaluations made elsewhere.
+  void addEvaluations(std::int64_t count) { m_evaluations += count; }
 
  private:
   void fillSettled(const Body& body, Piece& piece);

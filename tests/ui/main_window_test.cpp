@@ -194,8 +194,8 @@ void MainWindowTest::changesTheSpeedByKey() {
   showAndActivate(window);
   for (int i = 0; i < 3; ++i) QTest::keyClick(&window, Qt::Key_Period);
   QCOMPARE(window.controller()->speed(), 4.0);
-  for (int i = 0; i < 8; ++i) QTest::keyClick(&window, Qt::Key_Comma);
-  QCOMPARE(window.controller()->speed(), 1.0 / 16);
+  for (int i = 0; i < 10; ++i) QTest::keyClick(&window, Qt::Key_Comma);
+  QCOMPARE(window.controller()->speed(), 1.0 / 64);
 }
 
 void MainWindowTest::playsByButton() {

@@ -14,9 +14,17 @@ namespace ui {
 
 namespace {
 
+QString labelFormat(const NiceScale& ticks) {
+  return QStringLiteral("%.%1f").arg(ticks.decimals());
+}
+
+QString unitSuffix(const ScaledUnit& unit) {
+  return unit.symbol == QStringLiteral("°") ? unit.symbol : ' ' + unit.symbol;
+}
+
 void showScale(QValueAxis& axis, const NiceScale& scale, const QString& title) {
   axis.setTickType(QValueAxis::TicksFixed);
-  axis.setLabelFormat(QStringLiteral("%.%1f").arg(scale.decimals()));
+  axis.setLabelFormat(labelFormat(scale));
   axis.setTickCount(scale.tickCount());
   axis.setRange(scale.lowest, scale.highest);
   axis.setTitleText(title);
@@ -24,7 +32,7 @@ void showScale(QValueAxis& axis, const NiceScale& scale, const QString& title) {
 
 /// Between ticks, as a zoom leaves it.
 void showPart(QValueAxis& axis, const AxisScale& scale, const QString& title) {
-  axis.setLabelFormat(QStringLiteral("%.%1f").arg(scale.ticks.decimals()));
+  axis.setLabelFormat(labelFormat(scale.ticks));
   axis.setTitleText(title);
   // In this order, or for a moment there would be millions of ticks.
   axis.setTickType(QValueAxis::TicksFixed);
@@ -34,13 +42,13 @@ void showPart(QValueAxis& axis, const AxisScale& scale, const QString& title) {
   axis.setTickType(QValueAxis::TicksDynamic);
 }
 
-void showScale(QValueAxis& axis, const AxisScale& scale, const QString& quantity) {
+void showScale(QValueAxis& axis, const AxisScale& scale, const QString& title) {
   const bool endsOnTicks =
       scale.lowest == scale.ticks.lowest && scale.highest == scale.ticks.highest;
   if (endsOnTicks) {
-    showScale(axis, scale.ticks, scale.title(quantity));
+    showScale(axis, scale.ticks, title);
   } else {
-    showPart(axis, scale, scale.title(quantity));
+    showPart(axis, scale, title);
   }
 }
 
@@ -98,11 +106,13 @@ void ChartFrame::setVertical(const NiceScale& scale, const QString& title) {
 }
 
 void ChartFrame::setHorizontal(const AxisScale& scale, const QString& quantity) {
-  showScale(*m_horizontal, scale, quantity);
+  showScale(*m_horizontal, scale, m_isLow ? QString() : scale.title(quantity));
+  // Where height is scarce the unit at each number saves a line.
+  if (m_isLow) m_horizontal->setLabelFormat(labelFormat(scale.ticks) + unitSuffix(scale.unit));
 }
 
 void ChartFrame::setVertical(const AxisScale& scale, const QString& quantity) {
-  showScale(*m_vertical, scale, quantity);
+  showScale(*m_vertical, scale, scale.title(quantity));
 }
 
 QLineSeries* ChartFrame::addCurve(const QString& name) {
@@ -138,13 +148,14 @@ QSizeF ChartFrame::unitSize() const {
 
 /// From what stands around the plot.
 QSizeF ChartFrame::plotSize() const {
-  constexpr QSizeF kAxes(5, 4);  // in multiples of the font's size
+  const QSizeF axes(5, m_isLow ? 2.4 : 4);  // in multiples of the font's size
   const QMarginsF margins = m_chart->margins();
-  return m_chart->size().shrunkBy(margins) - kAxes * m_look.font.pixelSize();
+  return m_chart->size().shrunkBy(margins) - axes * m_look.font.pixelSize();
 }
 
 void ChartFrame::layOut() {
-  if (!putHeadingBeside()) putHeadingAbove();
+  m_isLow = putHeadingBeside();
+  if (!m_isLow) putHeadingAbove();
 }
 
 /// Where the chart is wide and low its height belongs to the plot.

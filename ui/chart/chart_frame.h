@@ -65,6 +65,7 @@ class ChartFrame : public QObject {
   QValueAxis* m_vertical;
   ChartHeading* m_heading;
   ChartLook m_look;
+  bool m_isLow = false;  // the heading stands beside the plot
 };
 
 }  // namespace ui

@@ -260,10 +260,13 @@ DrawnCurve ChartPlot::drawnCurve(std::size_t index, std::size_t most) const {
   }
   const QSizeF unit(m_frame->plotSize().width() / m_range.width(),
                     m_frame->plotSize().height() / m_range.height());
-  const bool dense = curve.run > 0 && std::ranges::any_of(drawn.lines, [&](const auto& line) {
-                       return isTooDenseForDashes(line, unit);
-                     });
-  if (dense) drawn.pen = densePen(curve.color);
+  const auto isAny = [&](auto isTooDense) {
+    return std::ranges::any_of(drawn.lines,
+                               [&](const QPolygonF& line) { return isTooDense(line, unit); });
+  };
+  drawn.dense = isAny(isTooDenseForSmoothLines);
+  const bool noDashes = curve.run > 0 && isAny(isTooDenseForDashes);
+  if (drawn.dense || noDashes) drawn.pen = densePen(curve.color);
   return drawn;
 }
 

@@ -28,8 +28,10 @@ namespace ui {
 namespace {
 
 // A frame's time more or less, so that each second frame at 60 Hz draws.
-constexpr int kShortestPause = 25;  // [ms]
-constexpr double kLeastTime = 2;    // [s]
+constexpr double kShortestPause = 25;  // [ms]
+// A pause is so many times as long as the work before it: most of the time is the scene's.
+constexpr double kPausePerWork = 4;
+constexpr double kLeastTime = 2;  // [s]
 // So that an update takes a small part of a 30th of a second, the scene the rest.
 constexpr std::size_t kMostPoints = 10000;
 constexpr QSize kLeastSize(360, 180);
@@ -52,9 +54,13 @@ constexpr std::array kKeyMoves = {
     KeyMove{Qt::Key_Down, 0, -kKeyMove}, KeyMove{Qt::Key_Up, 0, kKeyMove}};
 
 const KeyMove* moveOf(const QKeyEvent& event) {
-  if (!event.modifiers().testFlag(Qt::ControlModifier)) return nullptr;
+  if (!event.modifiers().testFlag(Qt::AltModifier)) return nullptr;
   const auto* move = std::ranges::find(kKeyMoves, event.key(), &KeyMove::key);
   return move == kKeyMoves.end() ? nullptr : move;
+}
+
+double milliseconds(const QElapsedTimer& timer) {
+  return static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
 
 }  // namespace
@@ -87,16 +93,20 @@ void ChartWidget::setSubject(const ChartKind& kind, ChartSubject subject) {
 
 void ChartWidget::refresh() {
   if (!isVisible() || m_catchUp.isActive() || !m_plot->hasNews()) return;
-  const qint64 waited = m_sinceDrawn.isValid() ? m_sinceDrawn.elapsed() : kShortestPause;
-  if (waited < kShortestPause) {
-    m_catchUp.start(static_cast<int>(kShortestPause - waited));
+  const double pause = std::max(kShortestPause, kPausePerWork * (m_updateTime + m_paintTime));
+  const double waited = m_sinceDrawn.isValid() ? milliseconds(m_sinceDrawn) : pause;
+  if (waited < pause) {
+    m_catchUp.start(static_cast<int>(std::ceil(pause - waited)));
   } else {
     draw();
   }
 }
 
 void ChartWidget::draw() {
+  QElapsedTimer work;
+  work.start();
   m_plot->update();
+  m_updateTime = milliseconds(work);
   markChanged();
 }
 
@@ -379,6 +389,8 @@ void ChartWidget::resizeEvent(QResizeEvent* event) {
 }
 
 void ChartWidget::renderPicture() {
+  QElapsedTimer work;
+  work.start();
   m_chart->resize(size());
   m_chart->layout()->activate();
   m_picture = QPixmap(size() * devicePixelRatioF());
@@ -388,6 +400,7 @@ void ChartWidget::renderPicture() {
   painter.setRenderHint(QPainter::Antialiasing);
   m_scene->render(&painter, QRectF(rect()), QRectF(rect()));
   m_pictureIsCurrent = true;
+  m_paintTime = milliseconds(work);
 }
 
 void ChartWidget::paintEvent(QPaintEvent*) {

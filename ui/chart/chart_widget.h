@@ -106,6 +106,8 @@ class ChartWidget : public QWidget {
   QPointF m_dragStart;  // [px]
   QRectF m_rangeAtStart;
   QElapsedTimer m_sinceDrawn;
+  double m_updateTime = 0;  // of the last update [ms]
+  double m_paintTime = 0;   // of the last picture [ms]
   QTimer m_catchUp;
 };
 

@@ -15,6 +15,19 @@ namespace {
 
 constexpr double kHatchSpacing = 9;  // [px] along the horizontal
 constexpr double kHatchWidth = 1.5;  // [px]
+constexpr double kUnseen = 0.2;      // a bend so small is not seen [px]
+
+/// Of a point from the line between two others.
+double distance(QPointF point, QPointF from, QPointF to) {
+  const QPointF way = to - from;
+  const double length = std::hypot(way.x(), way.y());
+  const QPointF off = point - from;
+  if (length == 0) return std::hypot(off.x(), off.y());
+  const double along = QPointF::dotProduct(off, way) / length;
+  if (along < 0) return std::hypot(off.x(), off.y());
+  if (along > length) return std::hypot(point.x() - to.x(), point.y() - to.y());
+  return std::abs(off.x() * way.y() - off.y() * way.x()) / length;
+}
 
 void paintHatch(QPainter& painter, const DrawnCurve& curve, const QTransform& toPlot) {
   painter.setPen(QPen(curve.pen.color(), kHatchWidth));
@@ -55,11 +68,17 @@ void CurvesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     if (curve.hatched) paintHatch(*painter, curve, toPlot);
   }
   painter->setBrush(Qt::NoBrush);
+  const bool smooth = painter->testRenderHint(QPainter::Antialiasing);
   for (const DrawnCurve& curve : m_curves) {
     if (curve.pen.style() == Qt::NoPen) continue;
     painter->setPen(curve.pen);
-    for (const QPolygonF& line : curve.lines) painter->drawPolyline(toPlot.map(line));
+    painter->setRenderHint(QPainter::Antialiasing, smooth && !curve.dense);
+    for (const QPolygonF& line : curve.lines) {
+      const QPolygonF places = toPlot.map(line);
+      painter->drawPolyline(curve.dense ? places : simplified(places, kUnseen));
+    }
   }
+  painter->setRenderHint(QPainter::Antialiasing, smooth);
 }
 
 QTransform plotTransform(const QRectF& range, const QRectF& plot) {
@@ -67,6 +86,34 @@ QTransform plotTransform(const QRectF& range, const QRectF& plot) {
   const double scaleY = -plot.height() / range.height();
   return QTransform(scaleX, 0, 0, scaleY, plot.left() - range.left() * scaleX,
                     plot.bottom() - range.top() * scaleY);
+}
+
+QPolygonF simplified(const QPolygonF& line, double tolerance) {
+  if (line.size() < 3) return line;
+  std::vector<bool> kept(line.size(), false);
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<qsizetype, qsizetype>> stretches = {{0, line.size() - 1}};
+  while (!stretches.empty()) {
+    const auto [first, last] = stretches.back();
+    stretches.pop_back();
+    qsizetype furthest = first;
+    double most = tolerance;
+    for (qsizetype i = first + 1; i < last; ++i) {
+      const double off = distance(line[i], line[first], line[last]);
+      if (off <= most) continue;
+      most = off;
+      furthest = i;
+    }
+    if (furthest == first) continue;
+    kept[furthest] = true;
+    stretches.emplace_back(first, furthest);
+    stretches.emplace_back(furthest, last);
+  }
+  QPolygonF fewer;
+  for (qsizetype i = 0; i < line.size(); ++i) {
+    if (kept[i]) fewer.append(line[i]);
+  }
+  return fewer;
 }
 
 std::vector<QLineF> hatchLines(const QPolygonF& area, double spacing, int direction) {

@@ -15,7 +15,8 @@ namespace ui {
 struct DrawnCurve {
   QString name;  ///< in the legend
   std::size_t run = 0;
-  QPen pen;  ///< of its line; Qt::NoPen: none
+  bool dense = false;  ///< swings too often for a broad, smooth line to be painted in time
+  QPen pen;            ///< of its line; Qt::NoPen: none
   std::vector<QPolygonF> lines;
   QBrush fill;           ///< of its areas; Qt::NoBrush: none
   bool hatched = false;  ///< lines across its areas, in the color of its pen
@@ -44,6 +45,10 @@ class CurvesItem : public QGraphicsItem {
 
 /// From what a plot shows, lowest y at top(), to where it does [px].
 QTransform plotTransform(const QRectF& range, const QRectF& plot);
+
+/// The same line with fewer points: none of those left out lies further than `tolerance` from
+/// it (Douglas and Peucker).
+QPolygonF simplified(const QPolygonF& line, double tolerance);
 
 /// Slanted lines across an area, `spacing` apart, for painters without patterns.
 /// @param direction  1: rising to the right, −1: falling

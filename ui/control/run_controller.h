@@ -8,23 +8,29 @@
 
 #include <QObject>
 
-#include "core/recording/recording.h"
-#include "core/run/run.h"
 #include "core/run/step_clock.h"
+#include "ui/control/lanes.h"
 
 namespace ui {
 
 /// Plays the runs of one scene side by side: keeps them at the same simulated moment,
-/// records them, and stops those whose numbers cannot go on while the others do.
+/// records them, goes back in their records, and stops those whose numbers cannot go on
+/// while the others do.
+///
+/// All views show one moment, time(), and follow timeShown(). Going back changes no record:
+/// playing on from there shows the same again, bit for bit, and then goes on computing. Only
+/// a cut by hand forgets what was recorded after it.
 ///
 /// Knows no wall clock but the stopwatch that bounds its work: time passes when passTime()
-/// is called. Emits each signal at most once per call.
+/// is called. Work that takes longer than a frame goes on with the next call. Emits each
+/// signal at most once per call.
 class RunController : public QObject {
   Q_OBJECT
 
  public:
   /// Reads some clock [s]; only differences matter.
   using Stopwatch = std::function<double()>;
+  using EventFilter = std::function<bool(const core::Event&)>;
 
   explicit RunController(Stopwatch stopwatch, QObject* parent = nullptr);
 
@@ -40,40 +46,73 @@ class RunController : public QObject {
   void setScene(std::shared_ptr<const core::Scene> scene);
   const core::Scene& scene() const { return *m_scene; }
 
-  int runCount() const { return static_cast<int>(m_lanes.size()); }
+  int runCount() const { return m_lanes.count(); }
   /// Runs and recordings live until the next restarted().
-  const core::Run& run(int index) const;
-  const core::Recording& recording(int index) const;
+  const core::Run& run(int index) const { return m_lanes[index].run(); }
+  const core::Recording& recording(int index) const { return m_lanes[index].recording(); }
   std::vector<const core::Run*> runs() const;
   /// Lets all recordings tell how this weight moves.
   void follow(int weight);
 
   /// The moment shown [s]: inside the latest step of every run that still goes on.
   double time() const { return m_clock.time(); }
+  /// How far all runs that can go on are recorded [s]: any moment from 0 to there can be
+  /// shown without computing anything new.
+  double recordedUntil() const { return m_lanes.recordedUntil(); }
   bool isPlaying() const { return m_playing; }
   /// False when every run has stopped.
-  bool canGoOn() const;
+  bool canGoOn() const { return m_lanes.canGoOn(); }
   /// False when no rope is left to cut, or a cut is already under way.
-  bool canCut() const;
+  bool canCut() const { return m_lanes.canCut(); }
 
   double speed() const { return m_clock.speed(); }
   /// Share of the wanted speed that is kept, 1 when it is.
   double keptShare() const;
 
-  /// Lets wall time pass: while playing, shows the moment that is due.
+  /// Lets wall time pass: while playing, shows the moment that is due; while travelling,
+  /// does some more of the work.
   /// @param elapsed  since the last call [s], ≥ 0
   void passTime(double elapsed);
 
+  /// On the way to a moment that takes more work than fits a frame.
+  bool isTravelling() const { return m_goal.has_value(); }
+  /// Where the way leads [s]; time() when not travelling, or to an event that is not found yet.
+  double destination() const { return m_wanted ? time() : m_goal.value_or(time()); }
+  /// Share of the way that is done, 0 to 1.
+  double travelProgress() const;
+
+  /// Goes on to the first event of this run that is wanted, after the moment shown, but not
+  /// beyond `atMost` [s]; pauses first. Goes by what is recorded, and computes on where that
+  /// ends.
+  void goToNext(int run, EventFilter wanted, double atMost);
+  /// Goes back to the last recorded event of this run that is wanted, before the moment shown;
+  /// pauses first.
+  void goToPrevious(int run, const EventFilter& wanted);
+
  public slots:
   void play();
+  /// Stops playing, and travelling too.
   void pause();
   void togglePlaying();
+  /// Shows another recorded moment, or the nearest there is; goes on playing if it was.
+  /// @param time  [s]
+  void showTime(double time);
+  /// Goes to any moment, and computes what is not recorded yet; pauses first.
+  /// @param time  [s], ≥ 0
+  void goTo(double time);
+  /// Ends travelling where it has come to.
+  void stopTravelling();
   /// Pauses, and shows the end of the next step of the first run that still goes on.
   void stepOnce();
+  /// Pauses, and shows the end of the step before.
+  void stepBack();
   /// Pauses, and goes on by what one frame of 1/60 s shows at the speed in force.
   void stepFrame();
+  /// Pauses, and goes back by as much.
+  void stepFrameBack();
   /// Cuts all ropes in all runs at one moment: the end of the latest step, or where runs
   /// with different steps are not at the same point, the first moment none has passed.
+  /// Forgets what was recorded after that.
   void cutAll();
   /// Pauses, and starts again at t = 0.
   void reset();
@@ -83,33 +122,53 @@ class RunController : public QObject {
  signals:
   /// All runs are new and stand at t = 0.
   void restarted();
-  /// Another moment is shown [s].
+  /// Another moment is shown [s], or what is recorded has changed.
   void timeShown(double time);
   void playingChanged(bool playing);
   void speedChanged(double speed);
-  /// A run has stopped: look at the runs' status.
-  void runStopped();
+  /// A run has stopped, or goes on again because an earlier moment is shown: look at the
+  /// runs' status.
+  void runStatusChanged();
   /// canCut() is not what it was.
   void canCutChanged(bool canCut);
+  /// passTime() has work to do from now on, or has none any more: playing or travelling.
+  void busyChanged(bool busy);
+  /// Travelling has begun, come on or ended.
+  void travelled();
+  /// No event is wanted between these moments [s].
+  void nothingFound(double from, double until);
 
  private:
-  struct Lane;
-
   double now() const { return m_stopwatch(); }
-  Lane* laneFurthestBehind(double target);
-  bool advance(Lane& lane);
-  void advanceTo(double target, double budget);
-  double shownTime(double target) const;
-  void cutWhereDue(Lane& lane);
+  void playOn(double elapsed);
+  void setGoal(double time);
+  void travel(double budget);
+  bool restoreUntil(double deadline);
+  void computeUntil(double deadline);
+  bool isWanted(const Lane& lane);
+  void endTravel();
+  double stepOfFirst() const;
   void setPlaying(bool playing);
-  void noteCut();
+  void noteChanges();
 
   Stopwatch m_stopwatch;
   std::shared_ptr<const core::Scene> m_scene;
-  std::vector<std::unique_ptr<Lane>> m_lanes;
+  Lanes m_lanes;
   core::StepClock m_clock;
   bool m_playing = false;
+
+  // Travelling.
+  std::optional<double> m_goal;  // [s]
+  std::optional<double> m_aim;   // of the lanes, while they are being restored [s]
+  EventFilter m_wanted;          // ends the way to the goal earlier, in m_wantedRun
+  int m_wantedRun = 0;
+  double m_start = 0;             // [s]
+  std::int64_t m_stepsAtAim = 0;  // to go when the lanes were aimed
+
+  // As last told.
   bool m_couldCut = false;
+  bool m_wasBusy = false;
+  std::vector<bool> m_wentOn;
 };
 
 }  // namespace ui

@@ -16,7 +16,8 @@ struct Words {
 
 // The names in core's method table, for translators to find.
 [[maybe_unused]] constexpr const char* kMethodNames[] = {
-    QT_TRANSLATE_NOOP("ui::RunWords", "Euler"),
+    QT_TRANSLATE_NOOP("ui::RunWords", "Euler (explicit)"),
+    QT_TRANSLATE_NOOP("ui::RunWords", "Euler (semi-implicit)"),
     QT_TRANSLATE_NOOP("ui::RunWords", "Runge–Kutta 4"),
 };
 

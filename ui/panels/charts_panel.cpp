@@ -71,6 +71,7 @@ ChartsPanel::ChartsPanel(RunController* controller, const Commands& commands, QW
   connect(m_runs, &QComboBox::currentIndexChanged, this, &ChartsPanel::showChosen);
   connect(m_chart, &ChartWidget::menuRequested, m_menu,
           [this](QPoint place) { m_menu->popup(place); });
+  connect(m_chart, &ChartWidget::timePicked, controller, &RunController::showTime);
   connect(controller, &RunController::restarted, this, &ChartsPanel::listRuns);
   connect(controller, &RunController::timeShown, this, [this](double time) {
     m_chart->showTime(time);

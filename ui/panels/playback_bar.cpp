@@ -18,7 +18,7 @@ namespace ui {
 namespace {
 
 // Speeds are powers of two.
-constexpr int kSlowest = -4;
+constexpr int kSlowest = -6;
 constexpr int kFastest = 2;
 
 constexpr double kTimeType = 2;       // times the base type
@@ -33,10 +33,10 @@ QString speedText(double speed) {
   return fractionText(speed) + QStringLiteral("×");
 }
 
-QToolButton* buttonFor(QAction* action) {
+QToolButton* buttonFor(QAction* action, Qt::ToolButtonStyle style) {
   auto* button = new QToolButton;
   button->setDefaultAction(action);
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setToolButtonStyle(style);
   button->setIconSize(kIconSize);
   button->setAutoRaise(true);
   return button;
@@ -67,8 +67,9 @@ QWidget* PlaybackBar::buttons(const Commands& commands) {
   auto* layout = new QHBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
+  layout->addWidget(buttonFor(commands.action(Command::kStepBack), Qt::ToolButtonIconOnly));
   for (const Command command : {Command::kPlay, Command::kStep, Command::kCut, Command::kReset}) {
-    layout->addWidget(buttonFor(commands.action(command)));
+    layout->addWidget(buttonFor(commands.action(command), Qt::ToolButtonTextBesideIcon));
   }
   return box;
 }

@@ -19,7 +19,7 @@ class PlaybackBar : public QWidget {
 
   /// @param time  simulated [s]
   void showTime(double time);
-  /// @param speed  one of 1/16, 1/8, …, 4
+  /// @param speed  one of 1/64, 1/32, …, 4
   void showSpeed(double speed);
   /// Tells by how much real time is missed.
   /// @param keptShare  of the wanted speed, 1 when it is kept

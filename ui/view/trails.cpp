@@ -5,6 +5,11 @@
 #include <cmath>
 
 namespace ui {
+namespace {
+
+constexpr double kLongestGap = 0.25;  // of the span: a straight line over more would be no trail
+
+}  // namespace
 
 double trailSpan(const core::Scene& scene) {
   if (scene.gravity <= 0) return 2;
@@ -30,6 +35,13 @@ void Trails::clear() {
   m_newest = 0;
 }
 
+void Trails::forgetAfter(double time) {
+  while (m_count > 0 && m_times[m_newest] > time) {
+    m_newest = slotOf(1);
+    --m_count;
+  }
+}
+
 bool Trails::newestIsProvisional(double time) const {
   if (m_count == 0) return false;
   if (time == m_times[m_newest]) return true;
@@ -40,7 +52,8 @@ bool Trails::newestIsProvisional(double time) const {
 void Trails::record(double time, const std::vector<ShownRun>& runs) {
   if (m_capacity == 0) return;
   assert(static_cast<int>(runs.size()) == m_runCount);
-  if (m_count > 0 && time < m_times[m_newest]) clear();
+  forgetAfter(time);
+  if (m_count > 0 && time > m_times[m_newest] + kLongestGap * m_span) clear();
   if (!newestIsProvisional(time)) {
     m_newest = (m_newest + 1) % m_capacity;
     m_count = std::min(m_count + 1, m_capacity);

@@ -30,8 +30,9 @@ class Trails {
   /// Forgets all points.
   void clear();
 
-  /// Adds where the weights are now. A time before the last one starts the trails anew; points
-  /// that would lie closer in time than the trails can keep replace the last one.
+  /// Adds where the weights are now. After a time before the last ones the trails end there;
+  /// after a jump ahead they start anew. Points that would lie closer in time than the trails
+  /// can keep replace the last one.
   /// @pre runs and weights are as many as reset() was told
   void record(double time, const std::vector<ShownRun>& runs);
 
@@ -43,6 +44,7 @@ class Trails {
 
  private:
   int slotOf(int age) const { return (m_newest - age + m_capacity) % m_capacity; }
+  void forgetAfter(double time);
   bool newestIsProvisional(double time) const;
 
   int m_runCount = 0;

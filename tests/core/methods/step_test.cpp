@@ -6,6 +6,7 @@
 
 using core::ExplicitEuler;
 using core::RungeKutta4;
+using core::SemiImplicitEuler;
 
 namespace {
 
@@ -29,6 +30,7 @@ class StepTest : public QObject {
 
  private slots:
   void takesAnEulerStepWorkedByHand();
+  void takesASemiImplicitStepWorkedByHand();
   void takesARungeKuttaStepWorkedByHand();
   void takesAsManySlopesAsItsRowSays();
   void staysWhereItIsInNoTime();
@@ -40,6 +42,16 @@ void StepTest::takesAnEulerStepWorkedByHand() {
   const auto stages = ExplicitEuler::step(kGrowth, 1.0, 1.0, 0.5);
   QCOMPARE(stages.slopes[0], 1.0);
   QCOMPARE(stages.end, 1.5);
+}
+
+void StepTest::takesASemiImplicitStepWorkedByHand() {
+  // A weight at (1, 2) m with (3, 4) m/s that speeds up by (−2, −10) m/s² and heats by 6 W.
+  const core::FlightState<> x{1, 2, 3, 4, 5}, k1{3, 4, -2, -10, 6};
+  const core::FlightState<> end = SemiImplicitEuler::step(kGrowth, x, k1, 0.5).end;
+  QVERIFY((end == core::FlightState<>{1 + 0.5 * 2, 2 + 0.5 * -1, 2, -1, 8}).all());
+  const core::SwingState<> swing{1, 3, 5}, slope{3, -2, 6};
+  QVERIFY((SemiImplicitEuler::step(kGrowth, swing, slope, 0.5).end == core::SwingState<>{2, 2, 8})
+              .all());
 }
 
 void StepTest::takesARungeKuttaStepWorkedByHand() {

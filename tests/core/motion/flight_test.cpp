@@ -84,24 +84,25 @@ void FlightTest::losesWhatTheAirTakes() {
 }
 
 void FlightTest::givesABatchTheBitsOfSingleWeights() {
-  constexpr int kWeights = 16;
-  Lanes<kWeights> mass, drag;
-  FlightState<kWeights> states;
-  for (int i = 0; i < kWeights; ++i) {
-    mass[i] = 0.03 * (i + 1);
-    drag[i] = i == 5 ? 0 : 0.011 * i;
-    states.row(i) << 0.1 * i, 2 - 0.05 * i, 7 - 1.3 * i, -4 + 0.9 * i, 0.01 * i;
+  Lanes mass, drag;
+  FlightState<Lanes> states;
+  for (int i = 0; i < Lanes::kCount; ++i) {
+    mass.set(i, 0.03 * (i + 1));
+    drag.set(i, i == 5 ? 0 : 0.011 * i);
+    FlightState<> state;
+    state << 0.1 * i, 2 - 0.05 * i, 7 - 1.3 * i, -4 + 0.9 * i, 0.01 * i;
+    core::setLane(states, i, state);
   }
-  const Flight<Lanes<kWeights>> flight(9.81, mass, drag);
-  const FlightState<kWeights> slope = flight(states);
-  const FlightState<kWeights> end = core::RungeKutta4::step(flight, states, slope, 1.0 / 60).end;
-  for (int i = 0; i < kWeights; ++i) {
+  const Flight<Lanes> flight(9.81, mass, drag);
+  const FlightState<Lanes> slope = flight(states);
+  const FlightState<Lanes> end = core::RungeKutta4::step(flight, states, slope, 1.0 / 60).end;
+  for (int i = 0; i < Lanes::kCount; ++i) {
     const Flight<> alone(9.81, mass[i], drag[i]);
-    const FlightState<> state = states.row(i);
+    const FlightState<> state = core::laneOf(states, i);
     const FlightState<> itsSlope = alone(state);
-    QVERIFY((itsSlope == slope.row(i)).all());
+    QVERIFY((itsSlope == core::laneOf(slope, i)).all());
     const FlightState<> itsEnd = core::RungeKutta4::step(alone, state, itsSlope, 1.0 / 60).end;
-    QVERIFY((itsEnd == end.row(i)).all());
+    QVERIFY((itsEnd == core::laneOf(end, i)).all());
   }
 }
 

@@ -14,19 +14,17 @@ using core::SwingState;
 
 namespace {
 
-constexpr int kWeights = 16;
-
 /// A different weight in every lane.
 struct Batch {
-  Lanes<kWeights> length, mass, drag;
-  SwingState<kWeights> state;
+  Lanes length, mass, drag;
+  SwingState<Lanes> state;
 
   Batch() {
-    for (int i = 0; i < kWeights; ++i) {
-      length[i] = 0.3 + 0.17 * i;
-      mass[i] = 0.01 * (i + 1);
-      drag[i] = i == 3 ? 0 : 0.02 * (kWeights - i);
-      state.row(i) << -3 + 0.41 * i, 2.5 - 0.37 * i, 0.1 * i;
+    for (int i = 0; i < Lanes::kCount; ++i) {
+      length.set(i, 0.3 + 0.17 * i);
+      mass.set(i, 0.01 * (i + 1));
+      drag.set(i, i == 3 ? 0 : 0.02 * (Lanes::kCount - i));
+      core::setLane(state, i, SwingState<>(-3 + 0.81 * i, 2.5 - 0.77 * i, 0.1 * i));
     }
   }
 };
@@ -83,16 +81,16 @@ void SwingTest::losesWhatTheAirTakes() {
 void SwingTest::givesABatchTheBitsOfSingleWeights() {
   const Batch batch;
   const double g = 9.81;
-  const Swing<Lanes<kWeights>> swing(g, batch.length, batch.mass, batch.drag);
-  const SwingState<kWeights> slope = swing(batch.state);
-  const SwingState<kWeights> end = core::RungeKutta4::step(swing, batch.state, slope, 1.0 / 60).end;
-  for (int i = 0; i < kWeights; ++i) {
+  const Swing<Lanes> swing(g, batch.length, batch.mass, batch.drag);
+  const SwingState<Lanes> slope = swing(batch.state);
+  const SwingState<Lanes> end = core::RungeKutta4::step(swing, batch.state, slope, 1.0 / 60).end;
+  for (int i = 0; i < Lanes::kCount; ++i) {
     const Swing<> alone(g, batch.length[i], batch.mass[i], batch.drag[i]);
-    const SwingState<> state = batch.state.row(i);
+    const SwingState<> state = core::laneOf(batch.state, i);
     const SwingState<> itsSlope = alone(state);
-    QVERIFY((itsSlope == slope.row(i)).all());
+    QVERIFY((itsSlope == core::laneOf(slope, i)).all());
     const SwingState<> itsEnd = core::RungeKutta4::step(alone, state, itsSlope, 1.0 / 60).end;
-    QVERIFY((itsEnd == end.row(i)).all());
+    QVERIFY((itsEnd == core::laneOf(end, i)).all());
   }
 }
 

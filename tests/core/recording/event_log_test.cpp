@@ -1,5 +1,7 @@
 #include "core/recording/event_log.h"
 
+#include <utility>
+
 #include <QtTest>
 
 using core::Event;
@@ -26,6 +28,7 @@ class EventLogTest : public QObject {
   void staysBounded();
   void dropsTheFuture();
   void startsAnew();
+  void tellsForgettingFromAppending();
 };
 
 void EventLogTest::keepsEventsInOrder() {
@@ -86,6 +89,22 @@ void EventLogTest::startsAnew() {
   log.clear();
   QVERIFY(log.events().empty());
   QCOMPARE(log.forgotten(), std::size_t{0});
+}
+
+void EventLogTest::tellsForgettingFromAppending() {
+  EventLog log(10);
+  std::uint64_t revision = log.revision();
+  const auto hasChanged = [&] { return std::exchange(revision, log.revision()) != revision; };
+  log.append(eventsUpTo(10));
+  QVERIFY(!hasChanged());
+  log.dropFrom(20);
+  QVERIFY(!hasChanged());
+  log.dropFrom(9);
+  QVERIFY(hasChanged());
+  log.append(eventsUpTo(10));
+  QVERIFY(hasChanged());
+  log.clear();
+  QVERIFY(hasChanged());
 }
 
 QTEST_APPLESS_MAIN(EventLogTest)

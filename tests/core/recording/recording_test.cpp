@@ -78,6 +78,8 @@ class RecordingTest : public QObject {
   void restoresStepsAfterCutsByHand();
   void restoresThePathsThatLedThere();
   void goesOnFromARestoredStep();
+  void takesRecordedStepsAgainWithTheirCuts();
+  void restoresInPieces();
   void recordsNoStepTwice();
   void forgetsTheFutureAfterACut();
   void listsEachCutOnce();
@@ -156,6 +158,37 @@ void RecordingTest::goesOnFromARestoredStep() {
   for (int step = 78; step <= kSteps; ++step) {
     lane.run.advance();
     QVERIFY(fingerprint(lane.run) == lane.shown[step]);
+  }
+}
+
+void RecordingTest::takesRecordedStepsAgainWithTheirCuts() {
+  Lane lane(3 * stateSize());
+  lane.advance(50);
+  lane.cut(1);
+  lane.advance(50);
+  lane.cutAll();
+  lane.advance(20);
+  lane.recording.restore(lane.run, 10);
+  for (int step = 11; step <= 120; ++step) {
+    QCOMPARE(lane.recording.advance(lane.run), core::RunStatus::kRunning);
+    QVERIFY(fingerprint(lane.run) == lane.shown[step]);
+  }
+  QCOMPARE(lane.recording.lastStep(), std::int64_t{120});
+  lane.recording.advance(lane.run);
+  QCOMPARE(lane.recording.lastStep(), std::int64_t{121});
+}
+
+void RecordingTest::restoresInPieces() {
+  Lane lane(3 * stateSize());
+  lane.advance(kSteps);
+  Run other = newRun();
+  for (const int step : {0, 1, 77, 128, kSteps}) {
+    const std::int64_t kept = lane.recording.keptStepBefore(step);
+    QVERIFY(step == 0 ? kept == 0 : kept < step);
+    lane.recording.beginRestore(other, step);
+    QCOMPARE(other.stepCount(), kept);
+    for (std::int64_t i = kept; i < step; ++i) lane.recording.replay(other);
+    QVERIFY(fingerprint(other) == lane.shown[step]);
   }
 }
 

@@ -54,6 +54,7 @@ void OrderTest::convergesAtExactlyTheStatedOrder_data() {
                            "rope-goes-slack", "two-ropes-collide"}) {
     QTest::addRow("%s, rk4", name) << name << "rk4" << 1.0 / 240;
     QTest::addRow("%s, euler", name) << name << "euler" << 1.0 / 2560;
+    QTest::addRow("%s, semi-implicit-euler", name) << name << "semi-implicit-euler" << 1.0 / 2560;
   }
   // What Runge–Kutta gets wrong in the swing's height, of order 5, outweighs what it gets
   // wrong in its time, of order 4, at all but small steps.
@@ -62,10 +63,14 @@ void OrderTest::convergesAtExactlyTheStatedOrder_data() {
   // Euler's pendulum turns over the top at any but small steps.
   QTest::newRow("pendulum-vacuum-120, euler") << "pendulum-vacuum-120"
                                               << "euler" << 1.0 / 10240;
+  QTest::newRow("pendulum-vacuum-120, semi-implicit-euler") << "pendulum-vacuum-120"
+                                                            << "semi-implicit-euler" << 1.0 / 10240;
   // The weight is looked at just after its ninth bounce: where Euler's tenth comes early, or
   // its ninth late, the error is another one. Not so at small steps.
   QTest::newRow("bounce-vacuum, euler") << "bounce-vacuum"
                                         << "euler" << 1.0 / 40960;
+  QTest::newRow("bounce-vacuum, semi-implicit-euler") << "bounce-vacuum"
+                                                      << "semi-implicit-euler" << 1.0 / 40960;
 }
 
 void OrderTest::convergesAtExactlyTheStatedOrder() {

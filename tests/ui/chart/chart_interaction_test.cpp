@@ -184,12 +184,12 @@ void ChartInteractionTest::zoomsAndMovesByKey() {
   QTest::keyClick(&chart, Qt::Key_Plus);
   QVERIFY(isNear(chart.shown().width(), all.width() / 1.5, 1e-9));
   const QRectF before = chart.shown();
-  QTest::keyClick(&chart, Qt::Key_Right, Qt::ControlModifier);
+  QTest::keyClick(&chart, Qt::Key_Right, Qt::AltModifier);
   QVERIFY(isNear(chart.shown().left() - before.left(), before.width() / 10, 1e-9));
-  QTest::keyClick(&chart, Qt::Key_Up, Qt::ControlModifier);
+  QTest::keyClick(&chart, Qt::Key_Up, Qt::AltModifier);
   QVERIFY(isNear(chart.shown().top() - before.top(), before.height() / 10, 1e-9));
-  QTest::keyClick(&chart, Qt::Key_Left, Qt::ControlModifier);
-  QTest::keyClick(&chart, Qt::Key_Down, Qt::ControlModifier);
+  QTest::keyClick(&chart, Qt::Key_Left, Qt::AltModifier);
+  QTest::keyClick(&chart, Qt::Key_Down, Qt::AltModifier);
   QVERIFY(isNear(chart.shown().left(), before.left(), 1e-9));
   QTest::keyClick(&chart, Qt::Key_Minus);
   QVERIFY(isNear(chart.shown().width(), all.width(), 1e-9));
@@ -205,7 +205,7 @@ void ChartInteractionTest::takesItsKeysBeforeTheWindow() {
     return event.isAccepted();
   };
   QVERIFY(isTaken(Qt::Key_Plus));
-  QVERIFY(isTaken(Qt::Key_Left, Qt::ControlModifier));
+  QVERIFY(isTaken(Qt::Key_Left, Qt::AltModifier));
   QVERIFY(!isTaken(Qt::Key_Left));   // steps back
   QVERIFY(!isTaken(Qt::Key_Space));  // plays
   QVERIFY(!isTaken(Qt::Key_Escape));

@@ -13,6 +13,8 @@ class CurvesItemTest : public QObject {
   void hatchesASquareFromEdgeToEdge_data();
   void hatchesASquareFromEdgeToEdge();
   void hatchesBothArmsOfAHollowShape();
+  void leavesOutOnlyWhatIsNotSeen();
+  void keepsWhereALineTurnsBack();
 };
 
 void CurvesItemTest::mapsTheRangeToThePlotWithTheLowestValueBelow() {
@@ -51,6 +53,29 @@ void CurvesItemTest::hatchesBothArmsOfAHollowShape() {
     QVERIFY2(u.containsPoint(middle, Qt::OddEvenFill) || line.length() < 1e-9,
              qPrintable(QString("%1, %2").arg(middle.x()).arg(middle.y())));
   }
+}
+
+void CurvesItemTest::leavesOutOnlyWhatIsNotSeen() {
+  QPolygonF wave;
+  for (int i = 0; i <= 2000; ++i) wave.append(QPointF(i / 2.0, 50 * std::sin(i / 100.0)));
+  const QPolygonF fewer = ui::simplified(wave, 0.2);
+  QVERIFY(fewer.size() < 200);
+  QVERIFY(fewer.size() > 20);
+  for (const QPointF& point : wave) {
+    const auto after = std::ranges::lower_bound(fewer, point.x(), {}, &QPointF::x);
+    const QPointF to = *after;
+    const QPointF from = after == fewer.begin() ? to : *(after - 1);
+    const double part = to.x() > from.x() ? (point.x() - from.x()) / (to.x() - from.x()) : 0;
+    QVERIFY(std::abs(from.y() + part * (to.y() - from.y()) - point.y()) < 0.3);
+  }
+  QCOMPARE(ui::simplified(QPolygonF({{0, 1}, {1, 1}, {2, 1}, {9, 1}}), 0.2),
+           QPolygonF({{0, 1}, {9, 1}}));
+}
+
+void CurvesItemTest::keepsWhereALineTurnsBack() {
+  // From 10 to 5 and on to 20 nothing is drawn that is not drawn anyway.
+  const QPolygonF back({{0, 0}, {10, 0}, {5, 0}, {20, 0}, {-3, 0}, {4, 0}});
+  QCOMPARE(ui::simplified(back, 0.2), QPolygonF({{0, 0}, {20, 0}, {-3, 0}, {4, 0}}));
 }
 
 QTEST_GUILESS_MAIN(CurvesItemTest)

@@ -234,7 +234,7 @@ void RunControllerTest::fallsBehindInsteadOfFreezing() {
 void RunControllerTest::stopsADivergedRunWhileTheOthersGoOn() {
   RunController controller(ticking(0));
   controller.setScene(thickAir());
-  QSignalSpy stopped(&controller, &RunController::runStopped);
+  QSignalSpy stopped(&controller, &RunController::runStatusChanged);
   controller.play();
   for (int frame = 0; frame < 60; ++frame) controller.passTime(0.05);
   QCOMPARE(stopped.count(), 1);

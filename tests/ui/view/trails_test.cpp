@@ -12,7 +12,8 @@ class TrailsTest : public QObject {
   void followsEveryFrameHoweverSlowTheMotion();
   void staysBoundedForAnyNumberOfWeights_data();
   void staysBoundedForAnyNumberOfWeights();
-  void startsAnewWhenTimeGoesBack();
+  void endsWhereTimeGoesBackTo();
+  void startsAnewAfterAJumpAhead();
   void reachesBackAsLongAsAFallTakes();
 
  private:
@@ -87,12 +88,24 @@ void TrailsTest::staysBoundedForAnyNumberOfWeights() {
   if (trails.pointsEach() == 0) QVERIFY(trails.points(0, 0).empty());
 }
 
-void TrailsTest::startsAnewWhenTimeGoesBack() {
+void TrailsTest::endsWhereTimeGoesBackTo() {
   ui::Trails trails = recorded(2, 1.0 / 60, 60);
-  trails.record(0.5, runsAt(0.5, 1, 1));
+  trails.record(0.51, runsAt(0.51, 1, 1));
+  const auto points = trails.points(0, 0);
+  QCOMPARE(points.size(), std::size_t(32));  // 0 to 30/60 s, and now
+  QCOMPARE(points.front().x(), 0.0);
+  QCOMPARE(points.back().x(), 0.51);
+  for (std::size_t i = 1; i < points.size(); ++i) QVERIFY(points[i - 1].x() < points[i].x());
+  trails.record(-1, runsAt(-1, 1, 1));
   QVERIFY(trails.points(0, 0).empty());
-  trails.record(0.6, runsAt(0.6, 1, 1));
-  QCOMPARE(trails.points(0, 0).front().x(), 0.5);
+}
+
+void TrailsTest::startsAnewAfterAJumpAhead() {
+  ui::Trails trails = recorded(2, 1.0 / 60, 60);
+  trails.record(1.4, runsAt(1.4, 1, 1));
+  QCOMPARE(trails.points(0, 0).back().x(), 1.4);
+  trails.record(2.0, runsAt(2.0, 1, 1));
+  QVERIFY(trails.points(0, 0).empty());
 }
 
 void TrailsTest::reachesBackAsLongAsAFallTakes() {

@@ -1,0 +1,363 @@
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/support/fingerprint.h"
+#include "tests/support/random_scene.h"
+#include "ui/control/run_controller.h"
+
+using ui::RunController;
+
+namespace {
+
+using Bits = std::vector<double>;
+
+/// Six made-up weights under four runs with three different steps.
+std::shared_ptr<core::Scene> fourRuns() {
+  auto scene = std::make_shared<core::Scene>(tests::randomScene(1, 6));
+  scene->cutTime.reset();
+  scene->solvers = {{.method = "rk4", .step = 1.0 / 60},
+                    {.method = "euler", .step = 1.0 / 60},
+                    {.method = "rk4", .step = 0.007},
+                    {.method = "euler", .step = 0.1}};
+  return scene;
+}
+
+/// A light ball shot into thick air: Euler diverges, Runge–Kutta does not.
+std::shared_ptr<core::Scene> thickAir() {
+  auto scene = std::make_shared<core::Scene>();
+  scene->airDensity = 30;
+  scene->room.width = 1000;
+  core::Weight ball;
+  ball.mass = 1e-3;
+  ball.position = {1, 1};
+  ball.velocity = {100, 0};
+  scene->weights = {ball};
+  scene->solvers = {{.method = "euler", .step = 0.05}, {.method = "rk4", .step = 1e-3}};
+  return scene;
+}
+
+/// A stopwatch on which every look takes this long [s].
+RunController::Stopwatch ticking(double perLook) {
+  return [perLook, now = 0.0]() mutable { return now += perLook; };
+}
+
+/// Everything that can be seen of all runs at the moment shown.
+Bits shown(const RunController& controller) {
+  Bits bits{controller.time()};
+  for (const core::Run* run : controller.runs()) {
+    for (int i = 0; i < run->weightCount(); ++i) {
+      const core::WeightState weight = run->weightAt(i, controller.time());
+      bits.insert(bits.end(), {weight.position.x(), weight.position.y(), weight.velocity.x(),
+                               weight.velocity.y(), static_cast<double>(weight.phase)});
+    }
+    bits.push_back(run->energiesAt(controller.time()).accounted());
+  }
+  return bits;
+}
+
+/// The same, how the runs stand after their latest steps, and all that is recorded.
+Bits everything(const RunController& controller) {
+  Bits bits = shown(controller);
+  for (int i = 0; i < controller.runCount(); ++i) {
+    const Bits latest = tests::fingerprint(controller.run(i));
+    bits.insert(bits.end(), latest.begin(), latest.end());
+    for (const core::EnergySample& sample : controller.recording(i).ledger().samples())
+      bits.insert(bits.end(), {sample.time, sample.energies.kinetic, sample.energies.accounted()});
+    for (const core::Event& event : controller.recording(i).eventLog().events())
+      bits.insert(bits.end(), {event.time, static_cast<double>(event.kind), event.energyLost});
+  }
+  return bits;
+}
+
+void playUntil(RunController& controller, double time, double frame = 1.0 / 60) {
+  controller.play();
+  while (controller.time() < time) {
+    controller.passTime(std::min(frame, (time - controller.time()) / controller.speed()));
+  }
+  controller.pause();
+}
+
+}  // namespace
+
+class GoingBackTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void restoresEveryShownMomentExactly();
+  void playsOnWithTheSameBits_data();
+  void playsOnWithTheSameBits();
+  void playsOnThroughACutByHand();
+  void aCutInThePastForgetsTheFuture();
+  void stepsBackByTheStepsOfTheFirstRun();
+  void stepsBackByFrames();
+  void staysWithinTheRecord();
+  void keepsPlayingWhenAnotherMomentIsShown();
+  void aStoppedRunGoesOnAtAnEarlierMoment();
+  void longWaysGoOnInLaterFrames();
+  void aGoalThatMovesOnIsFollowed();
+  void computesOnToALaterMoment();
+  void goesToTheNextWantedEvent();
+  void saysWhenThereIsNoSuchEvent();
+};
+
+void GoingBackTest::restoresEveryShownMomentExactly() {
+  RunController controller(ticking(0));
+  controller.setScene(fourRuns());
+  std::map<double, Bits> seen;
+  controller.play();
+  for (int frame = 0; frame < 150; ++frame) {
+    controller.passTime(frame % 3 == 0 ? 0.03 : 0.011);
+    seen[controller.time()] = shown(controller);
+    if (frame == 60) controller.cutAll();
+  }
+  controller.pause();
+  std::vector<double> times;
+  for (const auto& [time, bits] : seen) times.push_back(time);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double time = times[i * 37 % times.size()];
+    controller.showTime(time);
+    QCOMPARE(controller.time(), time);
+    QVERIFY(shown(controller) == seen[time]);
+  }
+}
+
+void GoingBackTest::playsOnWithTheSameBits_data() {
+  QTest::addColumn<double>("perLook");
+  QTest::newRow("with all the time it needs") << 0.0;
+  QTest::newRow("with work spread over frames") << 0.004;
+}
+
+void GoingBackTest::playsOnWithTheSameBits() {
+  QFETCH(double, perLook);
+  RunController straight(ticking(0));
+  straight.setScene(fourRuns());
+  playUntil(straight, 3);
+  RunController wandering(ticking(perLook));
+  wandering.setScene(fourRuns());
+  playUntil(wandering, 2);
+  for (const double time : {0.7, 1.9, 0.0, 0.31}) {
+    wandering.showTime(time);
+    while (wandering.isTravelling()) wandering.passTime(0.016);
+    QCOMPARE(wandering.time(), time);
+  }
+  playUntil(wandering, 3, 0.013);
+  QVERIFY(everything(wandering) == everything(straight));
+}
+
+void GoingBackTest::playsOnThroughACutByHand() {
+  RunController straight(ticking(0)), wandering(ticking(0));
+  for (RunController* controller : {&straight, &wandering}) {
+    controller->setScene(fourRuns());
+    playUntil(*controller, 1);
+    controller->cutAll();
+    playUntil(*controller, 2);
+  }
+  wandering.showTime(0.5);
+  QVERIFY(!wandering.run(0).allCut());
+  playUntil(wandering, 2.5);
+  playUntil(straight, 2.5);
+  QVERIFY(everything(wandering) == everything(straight));
+}
+
+void GoingBackTest::aCutInThePastForgetsTheFuture() {
+  RunController straight(ticking(0)), wandering(ticking(0));
+  for (RunController* controller : {&straight, &wandering}) {
+    controller->setScene(fourRuns());
+    playUntil(*controller, 0.5);
+  }
+  playUntil(wandering, 2);
+  wandering.showTime(0.5);
+  QVERIFY(wandering.canCut());
+  wandering.cutAll();
+  straight.cutAll();
+  QVERIFY(wandering.recordedUntil() < 0.7);
+  playUntil(wandering, 2.5);
+  playUntil(straight, 2.5);
+  QVERIFY(everything(wandering) == everything(straight));
+}
+
+void GoingBackTest::stepsBackByTheStepsOfTheFirstRun() {
+  RunController controller(ticking(0));
+  controller.setScene(fourRuns());
+  playUntil(controller, 0.51);
+  for (int step = 30; step >= 0; --step) {
+    controller.stepBack();
+    QCOMPARE(controller.time(), step * (1.0 / 60));
+    QCOMPARE(controller.run(0).stepCount(), step);
+  }
+  controller.stepBack();
+  QCOMPARE(controller.time(), 0.0);
+  controller.stepOnce();
+  QCOMPARE(controller.time(), 1.0 / 60);
+}
+
+void GoingBackTest::stepsBackByFrames() {
+  RunController controller(ticking(0));
+  controller.setScene(fourRuns());
+  playUntil(controller, 0.5);
+  controller.setSpeed(1.0 / 64);
+  controller.stepFrameBack();
+  QCOMPARE(controller.time(), 0.5 - 1.0 / 60 / 64);
+  controller.stepFrame();
+  QCOMPARE(controller.time(), 0.5);
+}
+
+void GoingBackTest::staysWithinTheRecord() {
+  RunController controller(ticking(0));
+  controller.setScene(fourRuns());
+  playUntil(controller, 0.5);
+  const double end = controller.recordedUntil();
+  QVERIFY(0.5 <= end && end < 0.52);
+  controller.showTime(100);
+  QCOMPARE(controller.time(), end);
+  controller.showTime(-1);
+  QCOMPARE(controller.time(), 0.0);
+}
+
+void GoingBackTest::keepsPlayingWhenAnotherMomentIsShown() {
+  RunController controller(ticking(0));
+  controller.setScene(fourRuns());
+  playUntil(controller, 1);
+  controller.play();
+  QSignalSpy told(&controller, &RunController::timeShown);
+  controller.showTime(0.25);
+  QCOMPARE(told.count(), 1);
+  QVERIFY(controller.isPlaying());
+  controller.passTime(0.05);
+  QCOMPARE(controller.time(), 0.3);
+}
+
+void GoingBackTest::aStoppedRunGoesOnAtAnEarlierMoment() {
+  RunController controller(ticking(0));
+  controller.setScene(thickAir());
+  playUntil(controller, 2);
+  QCOMPARE(controller.run(0).status(), core::RunStatus::kDiverged);
+  const double end = controller.run(0).time();
+  const Bits last = tests::fingerprint(controller.run(0));
+  QSignalSpy changed(&controller, &RunController::runStatusChanged);
+  controller.showTime(end / 2);
+  QCOMPARE(controller.run(0).status(), core::RunStatus::kRunning);
+  QCOMPARE(changed.count(), 1);
+  controller.showTime(2);
+  QCOMPARE(controller.run(0).status(), core::RunStatus::kDiverged);
+  QVERIFY(tests::fingerprint(controller.run(0)) == last);
+  QCOMPARE(controller.run(0).time(), end);
+  QCOMPARE(changed.count(), 2);
+}
+
+void GoingBackTest::longWaysGoOnInLaterFrames() {
+  double perLook = 0;
+  RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
+  controller.setScene(fourRuns());
+  playUntil(controller, 2);
+  const Bits before = shown(controller);
+  QSignalSpy busy(&controller, &RunController::busyChanged);
+  perLook = 1;  // one step a call
+  controller.goTo(40);
+  QVERIFY(controller.isTravelling());
+  QCOMPARE(busy.count(), 1);
+  double progress = controller.travelProgress();
+  QVERIFY(progress < 0.1);
+  for (int i = 0; i < 30; ++i) controller.passTime(0.016);
+  QVERIFY(controller.travelProgress() > progress);
+  QVERIFY(controller.time() > 2 && controller.time() < 40);
+  controller.stopTravelling();
+  QVERIFY(!controller.isTravelling());
+  QCOMPARE(busy.count(), 2);
+  // What it had come to is recorded and the same as ever.
+  perLook = 0;
+  controller.showTime(2);
+  QVERIFY(shown(controller) == before);
+}
+
+void GoingBackTest::aGoalThatMovesOnIsFollowed() {
+  double perLook = 0;
+  RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
+  // So many weights that states are kept far apart.
+  auto scene = std::make_shared<core::Scene>();
+  for (int i = 0; i < 9000; ++i) {
+    core::Weight weight;
+    weight.radius = 1e-3;
+    weight.position = {0.01 + 0.013 * (i % 300), 0.5 + 0.013 * (i / 300)};
+    scene->weights.push_back(weight);
+  }
+  scene->solvers = {{.method = "euler", .step = 1e-3}};
+  controller.setScene(scene);
+  controller.goTo(0.2);
+  QVERIFY(controller.recording(0).keptStepBefore(200) < 199);
+  perLook = 1;  // one step a call
+  std::vector<double> moments;
+  connect(&controller, &RunController::timeShown, this,
+          [&](double time) { moments.push_back(time); });
+  for (int i = 0; i < 60; ++i) controller.showTime(0.18 - 0.002 * i);
+  QVERIFY(moments.size() > 5);
+  while (controller.isTravelling()) controller.passTime(0.016);
+  QCOMPARE(controller.time(), 0.18 - 0.002 * 59);
+}
+
+void GoingBackTest::computesOnToALaterMoment() {
+  RunController straight(ticking(0)), skipping(ticking(0.001));
+  for (RunController* controller : {&straight, &skipping}) controller->setScene(fourRuns());
+  playUntil(straight, 3);
+  playUntil(skipping, 0.2);
+  skipping.showTime(0.1);
+  skipping.goTo(3);
+  for (int i = 0; skipping.isTravelling(); ++i) {
+    QVERIFY(i < 1000);
+    skipping.passTime(0.016);
+  }
+  QCOMPARE(skipping.time(), 3.0);
+  QVERIFY(everything(skipping) == everything(straight));
+}
+
+void GoingBackTest::goesToTheNextWantedEvent() {
+  const auto isImpact = [](const core::Event& event) {
+    return event.kind >= core::EventKind::kImpactFloor &&
+           event.kind <= core::EventKind::kImpactWeight;
+  };
+  RunController controller(ticking(0));
+  controller.setScene(fourRuns());
+  controller.cutAll();
+  std::vector<double> found;
+  for (int i = 0; i < 5; ++i) {
+    controller.goToNext(0, isImpact, controller.time() + 60);
+    found.push_back(controller.time());
+  }
+  std::vector<double> impacts;
+  for (const core::Event& event : controller.recording(0).eventLog().events()) {
+    const bool isNew = impacts.empty() || event.time > impacts.back();
+    if (isImpact(event) && isNew && impacts.size() < 5) impacts.push_back(event.time);
+  }
+  QCOMPARE(found, impacts);
+  // The same from the record, and backwards.
+  controller.showTime(0);
+  for (int i = 0; i < 5; ++i) {
+    controller.goToNext(0, isImpact, 60);
+    QCOMPARE(controller.time(), impacts[i]);
+  }
+  for (int i = 3; i >= 0; --i) {
+    controller.goToPrevious(0, isImpact);
+    QCOMPARE(controller.time(), impacts[i]);
+  }
+}
+
+void GoingBackTest::saysWhenThereIsNoSuchEvent() {
+  RunController controller(ticking(0));
+  controller.setScene(fourRuns());
+  QSignalSpy nothing(&controller, &RunController::nothingFound);
+  controller.goToNext(
+      0, [](const core::Event& event) { return event.time > 50; }, 2);
+  QCOMPARE(controller.time(), 2.0);
+  QCOMPARE(nothing.count(), 1);
+  QCOMPARE(nothing.first(), (QVariantList{0.0, 2.0}));
+  controller.goToPrevious(0, [](const core::Event&) { return false; });
+  QCOMPARE(controller.time(), 2.0);
+  QCOMPARE(nothing.last(), (QVariantList{0.0, 2.0}));
+}
+
+QTEST_GUILESS_MAIN(GoingBackTest)
+#include "going_back_test.moc"

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "ui/control/lane.h"
+
+namespace ui {
+
+/// The runs of one scene with their records, kept at the same simulated moment.
+class Lanes {
+ public:
+  /// Asked after each step, with the lane that took it: whether to go on.
+  using GoOn = std::function<bool(const Lane&)>;
+
+  Lanes() = default;
+  /// One for each of the scene's solvers, at t = 0.
+  explicit Lanes(const std::shared_ptr<const core::Scene>& scene);
+
+  int count() const { return static_cast<int>(m_lanes.size()); }
+  /// Stays at one address.
+  const Lane& operator[](int index) const { return *m_lanes[index]; }
+
+  /// Lets all recordings tell how this weight moves.
+  void follow(int weight);
+
+  bool canGoOn() const { return firstThatGoesOn() != nullptr; }
+  /// Null when none does.
+  const Lane* firstThatGoesOn() const;
+  bool canCut() const;
+  /// See RunController::cutAll().
+  void cutAll();
+
+  /// Takes steps until all that go on have reached `target` [s], or `goOn` says no. Always
+  /// the lane that is furthest behind: so the latest steps of all have the earliest of their
+  /// ends in common, and that moment can be shown whenever the work is broken off.
+  void advanceTo(double target, const GoOn& goOn);
+  /// As near to `target` [s] as all that go on have come; their last moment when none does.
+  double timeReached(double target) const;
+  /// How far all that can go on are recorded [s].
+  double recordedUntil() const;
+
+  // To another moment in pieces; see Lane.
+  void aimAt(double time);
+  /// Takes steps until all have come to where they were aimed, or `goOn` says no.
+  /// @return  true once nothing is left to do but arrive()
+  bool approach(const GoOn& goOn);
+  void arrive();
+  std::int64_t stepsToGo() const;
+  bool isShorterByRecord(double time) const;
+
+ private:
+  Lane* furthestBehind(double target);
+
+  std::vector<std::unique_ptr<Lane>> m_lanes;
+};
+
+}  // namespace ui
