@@ -152,7 +152,8 @@ void ChartWidget::copyPicture() const {
   QGuiApplication::clipboard()->setImage(chartImage(picture(), {}));
 }
 
-void ChartWidget::copyData() const {
+void ChartWidget::copyData() {
+  if (m_plot->hasNews()) draw();
   auto* table = new QMimeData;
   table->setText(chartTable(*m_plot, '\t', QLocale().decimalPoint()));
   table->setData(QStringLiteral("text/csv"),

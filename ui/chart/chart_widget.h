@@ -52,7 +52,7 @@ class ChartWidget : public QWidget {
   /// As a picture for paper.
   void copyPicture() const;
   /// As a table that spreadsheets take.
-  void copyData() const;
+  void copyData();
 
  signals:
   /// The user chose a moment [s].
