@@ -10,6 +10,7 @@
 #include "app/demonstration.h"
 #include "app/exit_status.h"
 #include "app/help_text.h"
+#include "app/measure_command.h"
 #include "app/options.h"
 #include "app/scenes_command.h"
 #include "app/simulate_command.h"
@@ -47,6 +48,12 @@ class Dispatch {
     std::unique_ptr<QApplication> application;
     if (!call.chart.isEmpty()) application = applicationWithoutDisplay();
     return app::runSimulate(call);
+  }
+
+  app::ExitStatus operator()(const app::MeasureCall& call) const {
+    std::unique_ptr<QApplication> application;
+    if (!call.chart.isEmpty()) application = applicationWithoutDisplay();
+    return app::runMeasure(call);
   }
 
   app::ExitStatus operator()(const app::WindowCall& call) const {

@@ -1,5 +1,7 @@
 #include "app/options.h"
 
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include <QCoreApplication>
@@ -29,6 +31,7 @@ constexpr QLatin1StringView kTrajectory("trajectory");
 constexpr QLatin1StringView kEnergy("energy");
 constexpr QLatin1StringView kEvents("events");
 constexpr QLatin1StringView kChart("chart");
+constexpr QLatin1StringView kCsv("csv");
 
 struct Texts {
   Q_DECLARE_TR_FUNCTIONS(app::Options)
@@ -49,18 +52,21 @@ QString methodNames() {
 core::Solver solverOf(const Arguments& arguments) {
   core::Solver solver;
   if (arguments.has(kMethod)) solver.method = arguments.text(kMethod).toStdString();
-  if (!core::findMethod(solver.method)) {
+  const core::Method* method = core::findOfferedMethod(solver.method);
+  if (!method) {
     Arguments::refuse(
         kMethod,
         Texts::tr("must be one of %1, got \"%2\"").arg(methodNames(), arguments.text(kMethod)));
   }
-  if (arguments.has(kTolerance)) {
-    arguments.number(kTolerance, core::kToleranceRange, 0);
-    Arguments::refuse(
-        kTolerance,
-        Texts::tr("%1 takes a step, not a tolerance").arg(QString::fromStdString(solver.method)));
-  }
+  const QString name = QString::fromStdString(solver.method);
   solver.step = arguments.number(kStep, core::kStepRange, solver.step);
+  solver.tolerance = arguments.number(kTolerance, core::kToleranceRange, solver.tolerance);
+  if (method->isAdaptive && arguments.has(kStep)) {
+    Arguments::refuse(kStep, Texts::tr("%1 takes a tolerance, not a step").arg(name));
+  }
+  if (!method->isAdaptive && arguments.has(kTolerance)) {
+    Arguments::refuse(kTolerance, Texts::tr("%1 takes a step, not a tolerance").arg(name));
+  }
   return solver;
 }
 
@@ -79,13 +85,12 @@ QString identityOf(const QString& file) {
   return folder.canonicalFilePath() + '/' + info.fileName();
 }
 
-void refuseSharedFiles(const SimulateCall& call) {
+/// @param files  each with the option that names it; empty ones are not wanted
+void refuseSharedFiles(const QString& scene,
+                       std::initializer_list<std::pair<QString, QString>> files) {
   QStringList taken;
-  if (QFileInfo(call.scene).isFile()) taken.append(identityOf(call.scene));
-  for (const auto& [option, file] : {std::pair{kTrajectory, call.trajectory},
-                                     {kEnergy, call.energy},
-                                     {kEvents, call.events},
-                                     {kChart, call.chart}}) {
+  if (QFileInfo(scene).isFile()) taken.append(identityOf(scene));
+  for (const auto& [option, file] : files) {
     if (file.isEmpty()) continue;
     const QString identity = identityOf(file);
     if (taken.contains(identity)) {
@@ -102,16 +107,20 @@ void refuseUnknownPicture(const QString& file) {
   Arguments::refuse(kChart, Texts::tr("must end in .png, .svg or .pdf, got \"%1\"").arg(file));
 }
 
+QString sceneOf(const Arguments& arguments, const QString& command) {
+  const QStringList scenes = arguments.words(1);
+  if (scenes.isEmpty()) throw CallRefused{Texts::tr("%1: a scene must be named").arg(command)};
+  return scenes.front();
+}
+
 Call simulateCall(const QStringList& given) {
   const Arguments arguments(
       given, {kHelp},
       {kMethod, kStep, kTolerance, kUntil, kCut, kSample, kTrajectory, kEnergy, kEvents, kChart});
   if (arguments.has(kHelp)) return HelpCall{};
-  const QStringList scenes = arguments.words(1);
-  if (scenes.isEmpty()) throw CallRefused{Texts::tr("simulate: a scene must be named")};
 
   SimulateCall call;
-  call.scene = scenes.front();
+  call.scene = sceneOf(arguments, QStringLiteral("simulate"));
   call.solver = solverOf(arguments);
   call.until = arguments.number(kUntil, kUntilRange, call.until);
   call.cut = cutOf(arguments);
@@ -121,7 +130,25 @@ Call simulateCall(const QStringList& given) {
   call.events = arguments.path(kEvents);
   call.chart = arguments.path(kChart);
   refuseUnknownPicture(call.chart);
-  refuseSharedFiles(call);
+  refuseSharedFiles(call.scene, {{kTrajectory, call.trajectory},
+                                 {kEnergy, call.energy},
+                                 {kEvents, call.events},
+                                 {kChart, call.chart}});
+  return call;
+}
+
+Call measureCall(const QStringList& given) {
+  const Arguments arguments(given, {kHelp}, {kUntil, kCut, kCsv, kChart});
+  if (arguments.has(kHelp)) return HelpCall{};
+
+  MeasureCall call;
+  call.scene = sceneOf(arguments, QStringLiteral("measure"));
+  call.until = arguments.number(kUntil, kUntilRange, call.until);
+  call.cut = cutOf(arguments);
+  call.csv = arguments.path(kCsv);
+  call.chart = arguments.path(kChart);
+  refuseUnknownPicture(call.chart);
+  refuseSharedFiles(call.scene, {{kCsv, call.csv}, {kChart, call.chart}});
   return call;
 }
 
@@ -143,6 +170,7 @@ Call windowCall(const QStringList& given) {
 
 Call callOf(const QStringList& given) {
   if (given.value(0) == QStringLiteral("simulate")) return simulateCall(given.mid(1));
+  if (given.value(0) == QStringLiteral("measure")) return measureCall(given.mid(1));
   if (given.value(0) == QStringLiteral("scenes")) return scenesCall(given.mid(1));
   return windowCall(given);
 }

@@ -20,7 +20,7 @@ struct ScenesCall {
   QString folder;  ///< to write them into; empty: list them
 };
 
-/// When `simulate` cuts all ropes, where the command line says so.
+/// When `simulate` or `measure` cuts all ropes, where the command line says so.
 struct CutChoice {
   std::optional<double> time;  ///< [s]; nothing: never
 };
@@ -40,10 +40,21 @@ struct SimulateCall {
   QString chart;  ///< never "-"
 };
 
+/// `angrycuts measure SCENE`: measure speed against accuracy.
+struct MeasureCall {
+  QString scene;
+  double until = 10;             ///< simulated time to measure over [s]
+  std::optional<CutChoice> cut;  ///< nothing: as the scene says
+
+  // Files; empty: not wanted.
+  QString csv;    ///< "-": standard output
+  QString chart;  ///< never "-"
+};
+
 struct HelpCall {};
 struct VersionCall {};
 
-using Call = std::variant<WindowCall, ScenesCall, SimulateCall, HelpCall, VersionCall>;
+using Call = std::variant<WindowCall, ScenesCall, SimulateCall, MeasureCall, HelpCall, VersionCall>;
 
 /// What the command line asks for, or one line that says what is wrong with it.
 struct CallOrError {

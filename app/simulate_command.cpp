@@ -78,6 +78,7 @@ class Simulation {
 
   /// What to do about a run that diverged.
   QString advice() const {
+    if (m_run.method().isAdaptive) return Texts::tr("a smaller --tolerance may help");
     const std::optional<double> step =
         core::largestStableStep(m_scene, m_call.solver, m_call.until);
     if (!step) return Texts::tr("a smaller --step may help");
@@ -93,6 +94,10 @@ class Simulation {
         return failure(kDiverged,
                        Texts::tr("diverged at %1 s: the numbers stopped being finite; %2")
                            .arg(time, advice()));
+      case core::RunStatus::kStalled:
+        return failure(kFailed, Texts::tr("stopped at %1 s: the tolerance asks for more or smaller "
+                                          "steps than can be taken; a larger --tolerance may help")
+                                    .arg(time));
       case core::RunStatus::kEndless:
         break;
     }

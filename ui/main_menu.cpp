@@ -49,6 +49,8 @@ void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {
   addCommands(run, commands, {Command::kCut, Command::kReset});
   run->addSeparator();
   addCommands(run, commands, {Command::kSlower, Command::kFaster});
+  run->addSeparator();
+  addCommands(run, commands, {Command::kMeasure});
 }
 
 void MainMenu::addGoToMenu(QMenu* menu, const Commands& commands) {

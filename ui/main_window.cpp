@@ -35,6 +35,7 @@
 #include "ui/panels/scene_form.h"
 #include "ui/panels/timeline.h"
 #include "ui/panels/travel_bar.h"
+#include "ui/panels/trade_window.h"
 #include "ui/panels/weights_form.h"
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
@@ -236,6 +237,7 @@ void MainWindow::connectFiles() {
   on(Command::kExportChart, m_exports, &Exports::askAndSaveChart);
   on(Command::kExportPicture, m_exports, &Exports::askAndSavePicture);
   on(Command::kQuit, this, &QWidget::close);
+  on(Command::kMeasure, this, &MainWindow::showTrade);
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
   connect(m_menu, &MainMenu::builtInChosen, m_files, &SceneFiles::openBuiltIn);
@@ -300,6 +302,11 @@ void MainWindow::showPainter() {
 
 void MainWindow::changeSpeed(int steps) {
   m_controller->setSpeed(m_playback->speedBeside(m_controller->speed(), steps));
+}
+
+void MainWindow::showTrade() {
+  if (!m_trade) m_trade = new TradeWindow(m_editor, this);
+  m_trade->bringUp();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

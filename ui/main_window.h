@@ -23,6 +23,7 @@ class RunController;
 class SceneEditor;
 class SceneFiles;
 class SceneView;
+class TradeWindow;
 
 /// The window: the scene in the middle, forms at its side, charts below. Puts the
 /// parts together and passes on what they say; each part does its own work.
@@ -68,6 +69,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showPainter();
   void changeSpeed(int steps);
+  void showTrade();
 
   Appearance* m_appearance;
   SceneEditor* m_editor;
@@ -85,7 +87,8 @@ class MainWindow : public QMainWindow {
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
-  bool m_panelsSized = false;  // once: from then on the user decides
+  TradeWindow* m_trade = nullptr;  // made when it is wanted first
+  bool m_panelsSized = false;      // once: from then on the user decides
 };
 
 }  // namespace ui

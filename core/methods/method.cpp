@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/methods/method_list.h"
+#include "core/methods/taylor_series.h"
 
 namespace core {
 
@@ -11,6 +12,10 @@ std::span<const Method> methods() {
 }
 
 const Method* findMethod(std::string_view id) {
+  return id == TaylorSeries::kRow.id ? &TaylorSeries::kRow : findOfferedMethod(id);
+}
+
+const Method* findOfferedMethod(std::string_view id) {
   const auto found = std::ranges::find(kMethodTable, id, &Method::id);
   return found == kMethodTable.end() ? nullptr : &*found;
 }

@@ -4,14 +4,16 @@
 #include <tuple>
 #include <utility>
 
+#include "core/methods/dormand_prince.h"
 #include "core/methods/explicit_euler.h"
 #include "core/methods/rk4.h"
 #include "core/methods/semi_implicit_euler.h"
 
 namespace core {
 
-/// Every method's unit, in the order of the table. A new method is one more name here.
-using MethodUnits = std::tuple<ExplicitEuler, SemiImplicitEuler, RungeKutta4>;
+/// The unit of every method that is offered, in the order of the table. A new method is one more
+/// name here.
+using MethodUnits = std::tuple<ExplicitEuler, SemiImplicitEuler, RungeKutta4, DormandPrince>;
 
 inline constexpr auto kMethodTable =
     std::apply([](auto... unit) { return std::array{decltype(unit)::kRow...}; }, MethodUnits{});

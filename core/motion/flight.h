@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
+#include "core/motion/series.h"
 #include "core/motion/state.h"
 
 namespace core {
@@ -39,7 +41,36 @@ class Flight {
     return slope;
   }
 
+  /// The solution through x as Taylor polynomials of (x, y, v_x, v_y, Q). Straight up or down
+  /// |v| is ± v_y with the sign of the way the weight sets out: the top is a root of v_y's
+  /// polynomial, beyond it the polynomials mean nothing.
+  /// Derivation: core/model.md, "Taylor series".
+  std::array<Series, 5> series(const FlightState<>& x) const {
+    Series right{x[0]}, up{x[1]}, rateRight{x[2]}, rateUp{x[3]}, heat{x[4]};
+    Series square{}, speed{};
+    const bool straight = isStraight(x[2]);
+    const double way = x[3] > 0 ? 1 : -1;
+    for (int k = 0; k < kSeriesDegree; ++k) {
+      square[k] = productTerm(rateUp, rateUp, k);
+      if (!straight) square[k] += productTerm(rateRight, rateRight, k);
+      speed[k] =
+          straight ? way * rateUp[k] : (k == 0 ? std::sqrt(square[0]) : rootTerm(square, speed, k));
+      right[k + 1] = rateRight[k] / (k + 1);
+      up[k + 1] = rateUp[k] / (k + 1);
+      rateRight[k + 1] = -m_drag * productTerm(speed, rateRight, k) / (k + 1);
+      rateUp[k + 1] =
+          (-m_drag * productTerm(speed, rateUp, k) - (k == 0 ? m_gravity : 0)) / (k + 1);
+      heat[k + 1] = m_heating * productTerm(speed, square, k) / (k + 1);
+    }
+    return {right, up, rateRight, rateUp, heat};
+  }
+
  private:
+  /// So slow sideways that the drag of that speed is less than gravity's last digit.
+  bool isStraight(double sideways) const {
+    return m_drag * sideways * sideways <= 1e-16 * m_gravity;
+  }
+
   double m_gravity;  // g [m/s²]
   Number m_drag;     // q [1/m]
   Number m_heating;  // m q [kg/m]

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
+#include "core/motion/series.h"
 #include "core/motion/state.h"
 
 namespace core {
@@ -35,6 +37,21 @@ class Slide {
     slope[1] = -m_drag * speed * x[1] - m_friction;
     slope[2] = m_heating * speed * speed * speed;
     return slope;
+  }
+
+  /// The solution through x as Taylor polynomials of (x, v, Q), |v| v as ± v² with the sign v
+  /// has at the start: a stop is a root of v's polynomial.
+  /// Derivation: core/model.md, "Taylor series".
+  std::array<Series, 3> series(const SlideState<>& x) const {
+    Series place{x[0]}, rate{x[1]}, heat{x[2]}, square{};
+    const double way = std::copysign(1, x[1]);
+    for (int k = 0; k < kSeriesDegree; ++k) {
+      square[k] = productTerm(rate, rate, k);
+      place[k + 1] = rate[k] / (k + 1);
+      rate[k + 1] = (-way * m_drag * square[k] - (k == 0 ? m_friction : 0)) / (k + 1);
+      heat[k + 1] = way * m_heating * productTerm(square, rate, k) / (k + 1);
+    }
+    return {place, rate, heat};
   }
 
  private:

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
+#include "core/motion/series.h"
 #include "core/motion/sine.h"
 #include "core/motion/state.h"
 
@@ -40,6 +42,25 @@ class Swing {
     slope[1] = -m_pull * sine(x[0]) - m_drag * speed * omega;
     slope[2] = m_heating * speed * speed * speed;
     return slope;
+  }
+
+  /// The solution through x as Taylor polynomials of (θ, ω, Q), |ω| ω as ± ω² with the sign of
+  /// the way the weight sets out: a root of ω is a root of the polynomial, beyond it the
+  /// polynomials mean nothing.
+  /// Derivation: core/model.md, "Taylor series".
+  std::array<Series, 3> series(const SwingState<>& x) const {
+    Series angle{x[0]}, rate{x[1]}, heat{x[2]};
+    Series sine{std::sin(x[0])}, cosine{std::cos(x[0])}, square{};
+    const double way = std::copysign(1, x[1] != 0 ? x[1] : -sine[0]);
+    for (int k = 0; k < kSeriesDegree; ++k) {
+      square[k] = productTerm(rate, rate, k);
+      angle[k + 1] = rate[k] / (k + 1);
+      rate[k + 1] = (-m_pull * sine[k] - way * m_drag * square[k]) / (k + 1);
+      heat[k + 1] = way * m_heating * productTerm(square, rate, k) / (k + 1);
+      sine[k + 1] = productTerm(cosine, rate, k) / (k + 1);
+      cosine[k + 1] = -productTerm(sine, rate, k) / (k + 1);
+    }
+    return {angle, rate, heat};
   }
 
  private:

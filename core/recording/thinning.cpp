@@ -10,16 +10,16 @@ namespace {
 
 constexpr std::size_t kMostPerPart = 6;  // first, last, and both extremes of x and y
 
-using Part = std::span<const CurvePoint>;
+using Part = std::span<const TimedPoint>;
 
 /// The points of the curve up to this time, beginning with `from`.
-Part partUpTo(std::span<const CurvePoint> curve, std::size_t from, double time) {
+Part partUpTo(std::span<const TimedPoint> curve, std::size_t from, double time) {
   const auto rest = curve.subspan(from);
-  const auto end = std::ranges::upper_bound(rest, time, {}, &CurvePoint::time);
+  const auto end = std::ranges::upper_bound(rest, time, {}, &TimedPoint::time);
   return rest.first(static_cast<std::size_t>(end - rest.begin()));
 }
 
-void appendExtremes(std::vector<CurvePoint>& kept, Part part) {
+void appendExtremes(std::vector<TimedPoint>& kept, Part part) {
   if (part.empty()) return;
   auto [left, right, lowest, highest] =
       std::array{part.begin(), part.begin(), part.begin(), part.begin()};
@@ -37,13 +37,13 @@ void appendExtremes(std::vector<CurvePoint>& kept, Part part) {
 
 }  // namespace
 
-std::vector<CurvePoint> thinned(std::span<const CurvePoint> curve, std::size_t most) {
+std::vector<TimedPoint> thinned(std::span<const TimedPoint> curve, std::size_t most) {
   assert(most >= 2 * kMostPerPart);
   if (curve.size() <= most) return {curve.begin(), curve.end()};
 
   const std::size_t parts = most / kMostPerPart;
   const double width = (curve.back().time - curve.front().time) / static_cast<double>(parts);
-  std::vector<CurvePoint> kept;
+  std::vector<TimedPoint> kept;
   kept.reserve(parts * kMostPerPart);
   std::size_t done = 0;
   for (std::size_t i = 1; i < parts; ++i) {

@@ -7,12 +7,12 @@
 namespace core {
 
 /// One point of a curve, and when it was passed.
-struct CurvePoint {
+struct TimedPoint {
   double time;  ///< [s]
   double x;     ///< the time itself, or anything that changes with it
   double y;
 
-  bool operator==(const CurvePoint&) const = default;
+  bool operator==(const TimedPoint&) const = default;
 };
 
 /// Fewer points for a curve, every peak kept: the stretch of time is divided evenly and of
@@ -22,6 +22,6 @@ struct CurvePoint {
 /// @param curve  in order of time
 /// @param most   points wanted at most, ≥ 12
 /// @return       the curve itself when it is short enough; first and last point always stay
-std::vector<CurvePoint> thinned(std::span<const CurvePoint> curve, std::size_t most);
+std::vector<TimedPoint> thinned(std::span<const TimedPoint> curve, std::size_t most);
 
 }  // namespace core

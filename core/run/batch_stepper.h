@@ -14,7 +14,7 @@ namespace core {
 /// faster where there are many.
 class BatchStepper {
  public:
-  /// @param method   a row of the method table
+  /// @param method   a row of the method table; one that is adaptive must not add() anything
   /// @param gravity  g [m/s²]
   BatchStepper(const Method& method, double gravity);
 

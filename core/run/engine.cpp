@@ -23,11 +23,13 @@ Engine::Engine(std::shared_ptr<const Scene> scene, Solver solver)
       m_bodies(bodiesOf(*m_scene)),
       m_stepper(*findMethod(m_solver.method), m_scene->gravity, m_scene->room.friction),
       m_batch(m_stepper.method(), m_scene->gravity),
+      m_adaptiveStepper(m_stepper, m_solver.tolerance),
       m_tolerance(toleranceFor(*m_scene)),
       m_foresight(*m_scene, m_tolerance) {
   m_now.weights.reserve(m_bodies.size());
   for (std::size_t i = 0; i < m_bodies.size(); ++i)
     m_now.weights.push_back(startRecord(m_scene->weights[i], m_bodies[i]));
+  if (method().isAdaptive) m_now.paces.resize(m_bodies.size());
   const Energies start = energies();
   m_startEnergy = start.mechanical();
   if (m_scene->cutTime && *m_scene->cutTime <= 0) {
@@ -58,13 +60,15 @@ RunStatus Engine::advance() {
   beginStep();
   placeAll();
   if (!stepAll()) {
-    abandonStep(RunStatus::kDiverged);
+    abandonStep(m_stalled ? RunStatus::kStalled : RunStatus::kDiverged);
     return m_status;
   }
   settle(0, false);
   if (!m_diverged) scheduleAll();
   if (m_diverged || !processEvents()) {
-    abandonStep(m_diverged ? RunStatus::kDiverged : RunStatus::kEndless);
+    abandonStep(m_stalled    ? RunStatus::kStalled
+                : m_diverged ? RunStatus::kDiverged
+                             : RunStatus::kEndless);
     return m_status;
   }
   finishStep();
@@ -79,7 +83,9 @@ void Engine::beginStep() {
   m_quietLosses.clear();
   m_finished.clear();
   m_queue.clear();
+  m_ownSteps = 0;
   m_diverged = false;
+  m_stalled = false;
 }
 
 void Engine::placeAll() {
@@ -101,19 +107,12 @@ void Engine::placeAll() {
 }
 
 bool Engine::stepAll() {
-  for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-    Piece& piece = m_moving[i].piece;
-    if (BatchStepper::takes(piece)) {
-      m_batch.add(m_bodies[i], piece);
-    } else {
-      m_stepper.fill(m_bodies[i], piece);
-    }
-  }
-  m_stepper.addEvaluations(m_batch.finish());
+  const bool together = !method().isAdaptive;
+  if (together) fillTogether();
   m_boxes.resize(m_bodies.size());
   for (int i = 0; i < static_cast<int>(m_bodies.size()); ++i) {
     const Piece& piece = m_moving[i].piece;
-    if (!isFinite(i)) return false;
+    if (together ? !isFinite(i) : !fill(i)) return false;
     m_boxes[i] = boxOf(m_bodies[i], piece, piece.begin, piece.end);
   }
   m_broadPhase.rebuild(m_boxes);
@@ -150,6 +149,7 @@ void Engine::scheduleOwn(int index) {
   if (piece.settled) return;  // its contacts are its group's
   if (const auto moment = m_foresight.wall(body, piece, m_boxes[index]))
     push(moment->time, index, -1, moment->wall, moment->pressing);
+  scheduleOwnStep(index);
   switch (piece.mode) {
     case Mode::kSwing:
       if (const auto moment = m_foresight.slack(body, piece))
@@ -202,7 +202,8 @@ bool Engine::processEvents() {
   while (!m_queue.isEmpty()) {
     const Upcoming event = m_queue.pop();
     if (!isCurrent(event)) continue;
-    if (++count > kMostEventsPerStep) return false;
+    const bool isOwnStep = event.kind == Upcoming::Kind::kOwnStep;
+    if (!isOwnStep && ++count > kMostEventsPerStep) return false;
     act(event);
     if (m_diverged) return false;
   }
@@ -235,6 +236,9 @@ bool Engine::isFinite(int index) const {
   constexpr double kLargest = 1e150;
   // Nor where a weight is that crosses the room within the last digit of a time in the step.
   const double fastest = 1e15 * std::max(m_scene->room.width, m_scene->room.height) / m_solver.step;
+  // Nor what a rope does that turns so often that looking at every turn would take minutes.
+  constexpr double kMostTurn = 1e5;
+  if (turnWithin(piece, piece.begin, piece.end) > kMostTurn) return false;
   const double scale = isTethered(piece.mode) ? m_bodies[index].length : 1;
   return (piece.endState.abs() < kLargest).all() && (piece.endSlope.abs() < kLargest).all() &&
          (piece.beginSlope.abs() < kLargest).all() &&

@@ -80,6 +80,14 @@ class Engine {
   void abandonStep(RunStatus status);
   bool isCurrent(const Upcoming& event) const;
 
+  // Pieces (engine_pieces.cpp).
+  void fillTogether();
+  /// Gives the weight its way up to its piece's end, or as far as an adaptive method goes.
+  /// @return  false, and m_diverged, where it cannot go on
+  bool fill(int index);
+  void beginOwnStep(const Upcoming& event);
+  void scheduleOwnStep(int index);
+
   // Foreseeing.
   void schedule(int index);
   void scheduleOwn(int index);
@@ -118,6 +126,11 @@ class Engine {
   template <class Value>
   std::optional<double> polished(double s, double low, double high, double rate, double tolerance,
                                  const Value& value);
+
+  /// How large a gap that counts as closed may be [m].
+  double polishTolerance() const { return m_tolerance.gap / 4; }
+  /// Below that gap polishing ends [m]: the reference goes on to the last digit of places.
+  double finestGap() const;
 
   // Groups in lasting contact (engine_resting.cpp).
   class Group;
@@ -161,6 +174,7 @@ class Engine {
   std::vector<Body> m_bodies;
   Stepper m_stepper;
   BatchStepper m_batch;
+  AdaptiveStepper m_adaptiveStepper;
   ContactTolerance m_tolerance;
   Foresight m_foresight;
   double m_startEnergy = 0;
@@ -180,26 +194,32 @@ class Engine {
   std::vector<Event> m_events;
   std::vector<QuietLoss> m_quietLosses;
   std::vector<double> m_eventMoments;  // of m_events, from the start of the step [s]
+  std::int64_t m_ownSteps = 0;         // of adaptive methods, all weights together
   bool m_diverged = false;
+  bool m_stalled = false;
 };
 
 template <class Value>
 std::optional<double> Engine::polished(double s, double low, double high, double rate,
                                        double tolerance, const Value& value) {
+  const double wanted = std::min(tolerance, finestGap());
   double previous = s, previousValue = value(s);
-  if (std::abs(previousValue) <= tolerance) return s;
+  if (std::abs(previousValue) <= wanted) return s;
+  std::optional<double> close;  // the latest guess within the tolerance
+  if (std::abs(previousValue) <= tolerance) close = s;
   double guess = std::clamp(s - previousValue / rate, low, high);
   for (int i = 0; i < 10; ++i) {
     const double here = value(guess);
-    if (std::abs(here) <= tolerance) return guess;
+    if (std::abs(here) <= wanted) return guess;
+    if (std::abs(here) <= tolerance) close = guess;
     const double next = guess - here * (guess - previous) / (here - previousValue);
-    if (!(low <= next && next <= high)) return std::nullopt;
+    if (!(low <= next && next <= high)) return close;
     if (std::abs(next - guess) <= 1e-15 * high) return next;
     previous = guess;
     previousValue = here;
     guess = next;
   }
-  return std::nullopt;
+  return close;
 }
 
 }  // namespace core

@@ -23,6 +23,8 @@ void Engine::act(const Upcoming& event) {
       return stopSliding(event);
     case Upcoming::Kind::kSettle:
       return settle(event.time, true);
+    case Upcoming::Kind::kOwnStep:
+      return beginOwnStep(event);
     case Upcoming::Kind::kFloor:
     case Upcoming::Kind::kCeiling:
     case Upcoming::Kind::kWest:
@@ -38,7 +40,11 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
     Piece done = moving.piece;
     done.end = s;
     done.endState = before;
-    if (!done.straight) done.endSlope = m_stepper.pathEndSlope(m_bodies[index], done);
+    if (done.polynomial) {
+      done.endSlope = done.polynomial->rateAt(s - done.begin);
+    } else if (!done.straight) {
+      done.endSlope = m_stepper.pathEndSlope(m_bodies[index], done);
+    }
     m_now.losses.friction += slideLoss(index, done, s);
     m_finished.push_back({done, moving.finished});
     moving.finished = static_cast<int>(m_finished.size()) - 1;
@@ -48,13 +54,9 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
   moving.piece.beginState = after;
   if (settled)
     m_fastestSettled = std::max(m_fastestSettled, velocityOf(m_bodies[index], mode, after).norm());
-  m_stepper.fill(m_bodies[index], moving.piece);
   ++moving.stamp;
-  if (!isFinite(index)) {
-    m_diverged = true;
-    return;
-  }
-  m_boxes[index] = boxOf(m_bodies[index], moving.piece, s, end);
+  if (!fill(index)) return;
+  m_boxes[index] = boxOf(m_bodies[index], moving.piece, s, moving.piece.end);
   m_broadPhase.move(index, m_boxes[index]);
 }
 
@@ -151,8 +153,8 @@ void Engine::goTaut(const Upcoming& event) {
   if (s > piece.begin) {
     const Eigen::Vector2d out = positionOf(body, piece.mode, before) - body.pivot;
     const Eigen::Vector2d rate = piece.rateAt(s).head<2>().transpose();
-    const auto exact = polished(s, piece.begin, piece.end, -rate.dot(out) / out.norm(),
-                                m_tolerance.gap / 4, spare);
+    const auto exact =
+        polished(s, piece.begin, piece.end, -rate.dot(out) / out.norm(), polishTolerance(), spare);
     if (exact) {
       s = *exact;
       before = m_stepper.partial(body, piece, s);

@@ -56,7 +56,7 @@ void Engine::hitWall(const Upcoming& event) {
     moving.segment<2>(2) = piece.rateAt(s).segment<2>(0);
     if (isTethered(piece.mode)) moving[2] = piece.rateAt(s)[0];
     const double rate = side.inward * velocityOf(body, piece.mode, moving)[side.axis];
-    const auto exact = polished(s, piece.begin, piece.end, rate, m_tolerance.gap / 4,
+    const auto exact = polished(s, piece.begin, piece.end, rate, polishTolerance(),
                                 [&](double at) { return gap(m_stepper.partial(body, piece, at)); });
     if (exact) {
       s = *exact;
@@ -181,7 +181,7 @@ void Engine::meet(const Upcoming& event) {
     const Eigen::Vector2d normal = apart(beforeA, beforeB).normalized();
     const double rate = (rateOf(b, s) - rateOf(a, s)).dot(normal);
     const auto exact =
-        polished(s, low, std::min(pieceA.end, pieceB.end), rate, m_tolerance.gap / 4, gap);
+        polished(s, low, std::min(pieceA.end, pieceB.end), rate, polishTolerance(), gap);
     if (exact) s = *exact;
     if (exact) {
       beforeA = m_stepper.partial(m_bodies[a], pieceA, s);
@@ -242,13 +242,15 @@ void Engine::logRest(int index, double s, const Entries& state) {
 bool Engine::joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal) {
   const int a = event.weight, b = event.other;
   if (event.pressing || approach <= m_tolerance.speed) return true;
+  const bool settled = m_moving[a].piece.settled || m_moving[b].piece.settled;
+  // A bounce off one that lies, if it is over in no time: else the two share that time out.
+  if (settled && 2 * approach < m_scene->gravity * m_solver.step * kLastDuration) return true;
   if (m_scene->restitution >= 1 && m_scene->room.restitution >= 1) return false;
   const int meetings = std::max(++m_moving[a].meetings, ++m_moving[b].meetings);
   const double steps = std::max(1.0, m_solver.step * 60);
   if (meetings > kMostMeetings * steps) return true;
   // Between two solves a settled weight moves with the velocity a whole stretch of gravity
   // gave it: so slow a hit is a lean.
-  const bool settled = m_moving[a].piece.settled || m_moving[b].piece.settled;
   if (isSupported(a) && isSupported(b))
     return settled && approach <= 2 * m_scene->gravity * boundaryAfter(0);
   if (!isSupported(a) && !isSupported(b)) return false;

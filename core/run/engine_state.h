@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/run/adaptive_stepper.h"
 #include "core/run/event.h"
 #include "core/run/piece.h"
 
@@ -41,6 +42,7 @@ struct EngineState {
   bool cutTimePassed = false;
   std::vector<WeightRecord> weights;
   std::vector<CarriedContact> contacts;  ///< in order of (a, b)
+  std::vector<Pace> paces;               ///< of the weights; empty unless the method is adaptive
   std::vector<Event> pending;            ///< cuts by hand, to be listed with the coming step
 };
 

@@ -20,8 +20,9 @@ struct Upcoming {
     kApex,  ///< the speed passes (nearly) zero in flight
     kSlack,
     kTaut,
-    kStop,    ///< a sliding weight stops
-    kSettle,  ///< forces in groups at rest are found anew
+    kStop,     ///< a sliding weight stops
+    kSettle,   ///< forces in groups at rest are found anew
+    kOwnStep,  ///< an adaptive method begins the weight's next step
   };
 
   double time;  ///< from the start of the step [s]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace core {
 namespace {
@@ -12,18 +13,14 @@ constexpr double kArc = 0.12;
 // A flight with less sideways speed than this share of its change of vertical speed counts
 // as straight up.
 constexpr double kSteep = 0.05;
+// A path that is no cubic is cut until cubics are this close to it [m].
+constexpr double kClose = 1e-10;
+// An entry that may be zero, until they are this close in shares of its size.
+constexpr double kCloseShare = 1e-6;
 
 Bernstein<3> negated(Bernstein<3> b) {
   for (double& coefficient : b) coefficient = -coefficient;
   return b;
-}
-
-/// The entry as a polynomial over [from, end].
-Bernstein<3> entryAfter(const Piece& piece, int index, double from) {
-  const double third = (piece.end - from) / 3;
-  const double first = piece.at(from)[index], last = piece.endState[index];
-  return {first, first + third * piece.rateAt(from)[index],
-          last - third * piece.rateAt(piece.end)[index], last};
 }
 
 /// First place in [0, 1] where the sign changes; a start at zero is not a change.
@@ -51,6 +48,29 @@ std::optional<double> momentOf(std::optional<double> u, double from, double to) 
   return from + *u * (to - from);
 }
 
+/// First moment in [from, to] where the entry's sign changes.
+/// @param isZero  the entry is zero at `from`, whatever rounding makes of it
+std::optional<double> signChangeWithin(const Piece& piece, int index, double from, double to,
+                                       bool isZero = false) {
+  Bernstein<3> cubic = piece.entry(index, from, to);
+  if (isZero) cubic[0] = 0;
+  const double bend = piece.bend(from, to)[index];
+  const auto [low, high] = std::ranges::minmax(cubic);
+  const double middle = 0.5 * (from + to);
+  if (bend > kCloseShare * std::max(-low, high) && from < middle && middle < to) {
+    if (low > bend || high < -bend) return std::nullopt;
+    const std::optional<double> early = signChangeWithin(piece, index, from, middle, isZero);
+    return early ? early : signChangeWithin(piece, index, middle, to);
+  }
+  return momentOf(signChange(cubic), from, to);
+}
+
+/// The path is not to be taken for the cubic through both ends.
+bool isCoarse(const Body& body, const Piece& piece, double from, double to) {
+  if (piece.polynomial) return departure(body, piece, from, to) > kClose;
+  return turnWithin(piece, from, to) > kArc;
+}
+
 }  // namespace
 
 std::optional<Foresight::Moment> Foresight::meeting(const Body& a, const Piece& pieceA,
@@ -63,7 +83,7 @@ std::optional<Foresight::Moment> Foresight::meetingBetween(const Body& a, const 
                                                            const Body& b, const Piece& pieceB,
                                                            double from, double to) const {
   if (!boxOf(a, pieceA, from, to).meets(boxOf(b, pieceB, from, to))) return std::nullopt;
-  if (turnWithin(pieceA, from, to) > kArc || turnWithin(pieceB, from, to) > kArc) {
+  if (isCoarse(a, pieceA, from, to) || isCoarse(b, pieceB, from, to)) {
     const double middle = 0.5 * (from + to);
     if (middle <= from || middle >= to) return std::nullopt;
     const std::optional<Moment> early = meetingBetween(a, pieceA, b, pieceB, from, middle);
@@ -91,7 +111,7 @@ bool Foresight::isInside(const Box& box) const {
 std::optional<Foresight::WallMoment> Foresight::wallBetween(const Body& body, const Piece& piece,
                                                             double from, double to) const {
   if (isInside(boxOf(body, piece, from, to))) return std::nullopt;
-  if (turnWithin(piece, from, to) > kArc) {
+  if (isCoarse(body, piece, from, to)) {
     const double middle = 0.5 * (from + to);
     if (middle <= from || middle >= to) return std::nullopt;
     const std::optional<WallMoment> early = wallBetween(body, piece, from, middle);
@@ -117,10 +137,9 @@ std::optional<Foresight::WallMoment> Foresight::wallBetween(const Body& body, co
 
 std::optional<double> Foresight::turningPoint(const Piece& piece, double from) const {
   if (piece.mode != Mode::kSwing || from >= piece.end) return std::nullopt;
-  if (from <= piece.begin) return momentOf(signChange(piece.entry(2)), piece.begin, piece.end);
-  Bernstein<3> rest = entryAfter(piece, 2, from);
-  rest[0] = 0;  // `from` is the turning point before
-  return momentOf(signChange(rest), from, piece.end);
+  if (from <= piece.begin) return signChangeWithin(piece, 2, piece.begin, piece.end);
+  constexpr bool kIsTurningPoint = true;  // the one before
+  return signChangeWithin(piece, 2, from, piece.end, kIsTurningPoint);
 }
 
 std::optional<double> Foresight::apex(const Piece& piece) const {
@@ -128,7 +147,7 @@ std::optional<double> Foresight::apex(const Piece& piece) const {
   const double change = std::abs(piece.endState[3] - piece.beginState[3]);
   if (piece.beginState[3] <= 0 || std::abs(piece.beginState[2]) > kSteep * change)
     return std::nullopt;
-  return momentOf(signChange(piece.entry(3)), piece.begin, piece.end);
+  return signChangeWithin(piece, 3, piece.begin, piece.end);
 }
 
 double Foresight::tension(const Body& body, const Entries& state) const {
@@ -137,18 +156,16 @@ double Foresight::tension(const Body& body, const Entries& state) const {
 
 std::optional<double> Foresight::slack(const Body& body, const Piece& piece) const {
   if (piece.mode != Mode::kSwing || body.rigid) return std::nullopt;
-  // Below the pivot's height gravity alone keeps the rope taut.
-  const Bernstein<3> angle = piece.entry(0);
-  constexpr double kNearlyLevel = 1.5;
-  if (std::ranges::all_of(angle, [](double a) { return std::abs(a) < kNearlyLevel; }))
-    return std::nullopt;
   return slackBetween(body, piece, piece.begin, piece.end);
 }
 
 std::optional<double> Foresight::slackBetween(const Body& body, const Piece& piece, double from,
                                               double to) const {
+  // Below the pivot's height gravity alone keeps the rope taut.
+  const double highest = std::abs(piece.at(from)[0]) + turnWithin(piece, from, to);
+  if (highest < 0.5 * std::numbers::pi) return std::nullopt;
   const double middle = 0.5 * (from + to);
-  if (turnWithin(piece, from, to) > kArc && from < middle && middle < to) {
+  if (isCoarse(body, piece, from, to) && from < middle && middle < to) {
     const std::optional<double> early = slackBetween(body, piece, from, middle);
     return early ? early : slackBetween(body, piece, middle, to);
   }
@@ -182,15 +199,25 @@ std::optional<double> Foresight::taut(const Body& body, const Piece& piece) cons
   if (piece.straight && !pulled && stretch >= -m_tolerance.gap &&
       stretch < travel * travel / body.length)
     return std::nullopt;
-  return momentOf(
-      firstTaut(pathOf(body, piece, piece.begin, piece.end), body.pivot, body.length,
-                piece.end - piece.begin, pulled ? outward : std::min(outward, 0.0), m_tolerance),
-      piece.begin, piece.end);
+  return tautBetween(body, piece, piece.begin, piece.end,
+                     pulled ? outward : std::min(outward, 0.0));
+}
+
+std::optional<double> Foresight::tautBetween(const Body& body, const Piece& piece, double from,
+                                             double to, double outward) const {
+  const double middle = 0.5 * (from + to);
+  if (isCoarse(body, piece, from, to) && from < middle && middle < to) {
+    const std::optional<double> early = tautBetween(body, piece, from, middle, outward);
+    return early ? early : tautBetween(body, piece, middle, to, 0);
+  }
+  return momentOf(firstTaut(pathOf(body, piece, from, to), body.pivot, body.length, to - from,
+                            outward, m_tolerance),
+                  from, to);
 }
 
 std::optional<double> Foresight::stop(const Piece& piece) const {
   if (piece.mode != Mode::kSlide || piece.beginState[2] == 0) return std::nullopt;
-  return momentOf(signChange(piece.entry(2)), piece.begin, piece.end);
+  return signChangeWithin(piece, 2, piece.begin, piece.end);
 }
 
 }  // namespace core

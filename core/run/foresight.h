@@ -60,6 +60,8 @@ class Foresight {
                                         double to) const;
   std::optional<double> slackBetween(const Body& body, const Piece& piece, double from,
                                      double to) const;
+  std::optional<double> tautBetween(const Body& body, const Piece& piece, double from, double to,
+                                    double outward) const;
 
   Room m_room;
   double m_gravity;

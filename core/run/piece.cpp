@@ -18,6 +18,7 @@ Entries Piece::at(double s) const {
   if (elapsed >= duration) return endState;
   if (elapsed <= 0) return beginState;
   if (straight) return beginState + elapsed * beginSlope;
+  if (polynomial) return polynomial->at(elapsed);
   const double u = elapsed / duration;
   return beginState + u * u * (3 - 2 * u) * (endState - beginState) +
          elapsed * (1 - u) * ((1 - u) * beginSlope - u * endSlope);
@@ -26,17 +27,21 @@ Entries Piece::at(double s) const {
 Entries Piece::rateAt(double s) const {
   const double duration = end - begin;
   if (straight || s <= begin || duration <= 0) return beginSlope;
+  if (polynomial) return polynomial->rateAt(std::min(s - begin, duration));
   if (s >= end) return endSlope;
   const double u = (s - begin) / duration;
   return 6 * u * (1 - u) / duration * (endState - beginState) + (1 - u) * (1 - 3 * u) * beginSlope +
          u * (3 * u - 2) * endSlope;
 }
 
-Bernstein<3> Piece::entry(int index) const {
-  const double third = (end - begin) / 3;
-  const double first = beginState[index], last = endState[index];
-  const double lastSlope = straight ? beginSlope[index] : endSlope[index];
-  return {first, first + third * beginSlope[index], last - third * lastSlope, last};
+Bernstein<3> Piece::entry(int index, double from, double to) const {
+  const double third = (to - from) / 3;
+  const double first = at(from)[index], last = at(to)[index];
+  return {first, first + third * rateAt(from)[index], last - third * rateAt(to)[index], last};
+}
+
+Entries Piece::bend(double from, double to) const {
+  return polynomial ? polynomial->bend(to - from) : Entries::Zero();
 }
 
 Eigen::Vector2d positionOf(const Body& body, Mode mode, const Entries& state) {
@@ -60,7 +65,15 @@ double turnWithin(const Piece& piece, double from, double to) {
   if (piece.straight) return std::abs(end - begin);
   const double second = begin + duration / 3 * piece.rateAt(from)[0];
   const double third = end - duration / 3 * piece.rateAt(to)[0];
-  return std::abs(second - begin) + std::abs(third - second) + std::abs(end - third);
+  return std::abs(second - begin) + std::abs(third - second) + std::abs(end - third) +
+         piece.bend(from, to)[0];
+}
+
+double departure(const Body& body, const Piece& piece, double from, double to) {
+  const Entries bend = piece.bend(from, to);
+  if (!isTethered(piece.mode)) return std::hypot(bend[0], bend[1]);
+  const double turn = turnWithin(piece, from, to);
+  return body.length * (bend[0] + turn * turn * turn * turn / 384);
 }
 
 Path pathOf(const Body& body, const Piece& piece, double from, double to) {
@@ -78,7 +91,8 @@ Path pathOf(const Body& body, const Piece& piece, double from, double to) {
 }
 
 Box boxOf(const Body& body, const Piece& piece, double from, double to) {
-  if (!isTethered(piece.mode)) return boxAround(pathOf(body, piece, from, to), body.radius);
+  if (!isTethered(piece.mode))
+    return boxAround(pathOf(body, piece, from, to), body.radius + departure(body, piece, from, to));
   // Every place on the arc is within the arc's length of its start, and on the circle.
   const Eigen::Vector2d start = positionOf(body, piece.mode, piece.at(from));
   const double reach = body.length * turnWithin(piece, from, to);

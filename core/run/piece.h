@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include <Eigen/Core>
 
@@ -8,6 +9,7 @@
 #include "core/contact/path.h"
 #include "core/motion/state.h"
 #include "core/run/body.h"
+#include "core/run/polynomial.h"
 
 namespace core {
 
@@ -47,14 +49,19 @@ struct Piece {
   Entries endState = Entries::Zero();
   Entries beginSlope = Entries::Zero();  ///< d(state)/dt
   Entries endSlope = Entries::Zero();
+  /// The path of methods that know more than the cubic; from begin on, to end or beyond.
+  std::shared_ptr<const Polynomial> polynomial = nullptr;
 
   /// State on the path at s in [begin, end].
   Entries at(double s) const;
   /// d/ds of the path at s: the rate of change of places the path shows, which for Euler's
   /// straight paths is not the velocity entry.
   Entries rateAt(double s) const;
-  /// One entry as a polynomial over [begin, end].
-  Bernstein<3> entry(int index) const;
+  /// One entry over a part of the piece as a cubic.
+  Bernstein<3> entry(int index, double from, double to) const;
+  /// By how much the entries depart at most from their cubics over that part; zero where the
+  /// path is a cubic.
+  Entries bend(double from, double to) const;
 };
 
 /// Center of the weight in that state [m].
@@ -63,6 +70,9 @@ Eigen::Vector2d positionOf(const Body& body, Mode mode, const Entries& state);
 Eigen::Vector2d velocityOf(const Body& body, Mode mode, const Entries& state);
 /// Direction a weight on a taut rope can move in: (cos θ, sin θ).
 Eigen::Vector2d trackOf(const Entries& state);
+
+/// By how much the center departs at most from pathOf() between two moments of the piece [m].
+double departure(const Body& body, const Piece& piece, double from, double to);
 
 /// How far the rope turns at most between two moments of the piece [rad], ≥ 0; 0 unless it
 /// is taut.

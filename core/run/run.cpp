@@ -23,7 +23,7 @@ std::int64_t RunState::stepCount() const {
 std::size_t RunState::bytes() const {
   return sizeof(EngineState) + m_content->weights.capacity() * sizeof(WeightRecord) +
          m_content->contacts.capacity() * sizeof(CarriedContact) +
-         m_content->pending.capacity() * sizeof(Event);
+         m_content->paces.capacity() * sizeof(Pace) + m_content->pending.capacity() * sizeof(Event);
 }
 
 Run::Run(std::shared_ptr<const Scene> scene, Solver solver)

@@ -30,6 +30,7 @@ enum class RunStatus : std::uint8_t {
   kRunning,
   kDiverged,  ///< numbers stopped being finite: the last finite state is kept
   kEndless,   ///< one step held more events than a step may: the state before it is kept
+  kStalled,   ///< no step kept an adaptive method's tolerance, or it took too many: likewise
 };
 
 class Engine;
@@ -42,7 +43,8 @@ class RunState;
 class Run {
  public:
   /// @pre problemsIn(*scene) is empty; findMethod(solver.method) is not null; the solver's
-  ///      step lies in kStepRange
+  ///      step lies in kStepRange. An adaptive method takes its own steps, for every weight,
+  ///      within that step: at its end all weights stand at the same moment.
   Run(std::shared_ptr<const Scene> scene, Solver solver);
   ~Run();
   Run(Run&&) noexcept;

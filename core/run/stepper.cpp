@@ -2,23 +2,10 @@
 
 #include <cmath>
 
-#include "core/methods/method_list.h"
-#include "core/motion/flight.h"
-#include "core/motion/slide.h"
-#include "core/motion/swing.h"
 #include "core/run/path_end.h"
 
 namespace core {
 namespace {
-
-/// θ, ω, Q of a swing or x, v, Q of a slide: three of the five entries.
-SwingState<> threeOf(const Entries& entries) {
-  return {entries[0], entries[2], entries[4]};
-}
-
-Entries fiveOf(const SwingState<>& three, double secondPlace) {
-  return {three[0], secondPlace, three[1], 0, three[2]};
-}
 
 bool isStill(Mode mode, const Entries& state) {
   return mode == Mode::kHeld || (mode == Mode::kSlide && state[2] == 0);
@@ -47,18 +34,9 @@ Entries Stepper::slope(const Body& body, Mode mode, const Entries& state) {
 Entries Stepper::slopeOn(const Body& body, const Piece& piece, const Entries& state) {
   if (core::isStill(piece.mode, piece.beginState)) return Entries::Zero();
   ++m_evaluations;
-  switch (piece.mode) {
-    case Mode::kSwing:
-    case Mode::kHeld:
-      return fiveOf(Swing<>(m_gravity, body.length, body.mass, body.drag)(threeOf(state)), 0);
-    case Mode::kSlide: {
-      const double way = std::copysign(1, piece.beginState[2]);
-      return fiveOf(Slide(m_friction, way, body.mass, body.drag)(threeOf(state)), 0);
-    }
-    case Mode::kFlight:
-      break;
-  }
-  return Flight<>(m_gravity, body.mass, body.drag)(state);
+  return withMotion(body, piece, [&](const auto& motion, auto form) -> Entries {
+    return form.entries(motion(form.from(state)), 0);
+  });
 }
 
 void Stepper::fill(const Body& body, Piece& piece) {
@@ -70,6 +48,7 @@ void Stepper::fill(const Body& body, Piece& piece) {
 }
 
 Entries Stepper::pathEndSlope(const Body& body, const Piece& piece) {
+  if (m_method->path == PathShape::kPolynomial) return piece.rateAt(piece.end);
   return core::pathEndSlope(
       m_method->path, [&](const Entries& state) { return slopeOn(body, piece, state); },
       piece.beginState, piece.endState, piece.beginSlope, piece.end - piece.begin);
@@ -87,7 +66,7 @@ void Stepper::fillSettled(const Body& body, Piece& piece) {
 
 Entries Stepper::partial(const Body& body, const Piece& piece, double s) {
   if (s <= piece.begin) return piece.beginState;
-  if (piece.settled) return piece.at(s);
+  if (piece.settled || m_method->path == PathShape::kPolynomial) return piece.at(s);
   return step(body, piece, s - piece.begin);
 }
 
@@ -95,30 +74,12 @@ Entries Stepper::step(const Body& body, const Piece& piece, double duration) {
   if (isStill(piece)) return piece.beginState;
   m_evaluations += m_method->slopesPerStep - 1;
   Entries end;
-  withMethod(m_index, [&](auto unit) {
-    using Unit = decltype(unit);
-    switch (piece.mode) {
-      case Mode::kSwing:
-      case Mode::kHeld: {
-        const Swing<> swing(m_gravity, body.length, body.mass, body.drag);
-        end = fiveOf(
-            Unit::step(swing, threeOf(piece.beginState), threeOf(piece.beginSlope), duration).end,
-            0);
-        return;
-      }
-      case Mode::kSlide: {
-        const Slide slide(m_friction, std::copysign(1, piece.beginState[2]), body.mass, body.drag);
-        end = fiveOf(
-            Unit::step(slide, threeOf(piece.beginState), threeOf(piece.beginSlope), duration).end,
-            piece.beginState[1]);
-        return;
-      }
-      case Mode::kFlight: {
-        const Flight<> flight(m_gravity, body.mass, body.drag);
-        end = Unit::step(flight, piece.beginState, piece.beginSlope, duration).end;
-        return;
-      }
-    }
+  withUnit([&](auto unit) {
+    withMotion(body, piece, [&](const auto& motion, auto form) {
+      const auto stages =
+          unit.step(motion, form.from(piece.beginState), form.from(piece.beginSlope), duration);
+      end = form.entries(stages.end, piece.beginState[1]);
+    });
   });
   return end;
 }

@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-#include "core/methods/method.h"
+#include "core/methods/method_list.h"
+#include "core/run/equations.h"
 #include "core/run/piece.h"
 
 namespace core {
@@ -44,6 +45,18 @@ class Stepper {
   void setEvaluations(std::int64_t count) { m_evaluations = count; }
   /// Counts evaluations made elsewhere.
   void addEvaluations(std::int64_t count) { m_evaluations += count; }
+
+  /// Calls `use` with the method's unit.
+  /// @pre the method is in the table
+  template <class Use>
+  void withUnit(const Use& use) const {
+    withMethod(m_index, use);
+  }
+  /// Calls `use` as withEquations() does.
+  template <class Use>
+  auto withMotion(const Body& body, const Piece& piece, const Use& use) const {
+    return withEquations(body, piece, m_gravity, m_friction, use);
+  }
 
  private:
   void fillSettled(const Body& body, Piece& piece);

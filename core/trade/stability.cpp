@@ -1,10 +1,10 @@
 #include "core/trade/stability.h"
 
-#include <cmath>
 #include <cstdint>
 
 #include "core/run/run.h"
 #include "core/scene/scene_limits.h"
+#include "core/trade/rounded_step.h"
 
 namespace core {
 namespace {
@@ -12,13 +12,6 @@ namespace {
 /// Weight-steps all trials together may take.
 constexpr std::int64_t kMostWork = 4'000'000;
 constexpr int kBisections = 6;
-
-/// Down to two digits: 0.0123 becomes 0.012.
-double roundedDown(double step) {
-  const double digit = std::pow(10, std::floor(std::log10(step)) - 1);
-  // A step that has two digits already may be a last digit below them.
-  return std::floor(step / digit * (1 + 1e-12)) * digit;
-}
 
 /// Runs a scene with different steps, until the work is used up.
 class Trials {

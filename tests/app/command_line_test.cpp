@@ -171,7 +171,7 @@ void CommandLineTest::helpNamesEveryCallAndOption() {
   QCOMPARE(outcome.status, 0);
   QCOMPARE(outcome.error, QByteArray());
   for (const char* word :
-       {"angrycuts [SCENE]", "scenes", "--export", "simulate", "--method", "--step", "--until",
+       {"angrycuts [SCENE]", "scenes", "--export", "simulate", "measure", "--csv", "--method", "--step", "--until",
         "--cut", "--sample", "--trajectory", "--energy", "--events", "--chart", "--version"}) {
     QVERIFY2(outcome.output.contains(word), word);
   }
@@ -396,7 +396,7 @@ void CommandLineTest::refusesCalls_data() {
   const auto row = [](const char* name, const char* arguments, const char* error) {
     QTest::newRow(name) << QString(arguments).split(' ') << QByteArray(error);
   };
-  row("unknown command", "measure one-pendulum", "unknown command \"measure\"");
+  row("unknown command", "animate one-pendulum", "unknown command \"animate\"");
   row("unknown scene", "simulate no-such", "no-such: no file or built-in scene of that name");
   row("unknown scene for the window", "no-such", "no-such: no file or built-in scene of that name");
   row("no scene", "simulate", "simulate: a scene must be named");
@@ -407,9 +407,11 @@ void CommandLineTest::refusesCalls_data() {
   row("no value", "simulate one-pendulum --until", "Missing value after '--until'.");
   row("twice", "simulate one-pendulum --step 1 --step 2", "--step: stands twice");
   row("unknown method", "simulate one-pendulum --method magic",
-      "--method: must be one of euler, rk4, got \"magic\"");
-  row("method still to come", "simulate one-pendulum --method dopri5",
-      "--method: must be one of euler, rk4, got \"dopri5\"");
+      "--method: must be one of euler, semi-implicit-euler, rk4, dopri5, got \"magic\"");
+  row("method of the program's own", "simulate one-pendulum --method reference",
+      "--method: must be one of euler, semi-implicit-euler, rk4, dopri5, got \"reference\"");
+  row("step of a method with a tolerance", "simulate one-pendulum --method dopri5 --step 0.1",
+      "--step: dopri5 takes a tolerance, not a step");
   row("tolerance", "simulate one-pendulum --tolerance 1e-9",
       "--tolerance: rk4 takes a step, not a tolerance");
   row("tolerance out of range", "simulate one-pendulum --tolerance 2",

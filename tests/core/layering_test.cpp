@@ -18,6 +18,8 @@ const QStringList kForbiddenInCore{"chrono",   "ctime",      "time.h",     "sys/
                                    "fstream",  "iostream",   "filesystem", "cstdio",     "stdio.h",
                                    "unistd.h", "sys/stat.h", "sys/types.h"};
 
+const QStringList kClocks{"chrono", "ctime"};
+
 /// The only folder that may look at a clock: it measures.
 const QString kFolderWithClock = "trade";
 
@@ -32,7 +34,7 @@ bool isOfQt(const QString& header) {
 
 QString faultInCore(const QString& folder, const QString& header, bool isQuoted) {
   if (!isQuoted) {
-    if (header == "chrono" && folder == kFolderWithClock) return {};
+    if (kClocks.contains(header) && folder == kFolderWithClock) return {};
     if (isOfQt(header)) return "core knows no Qt";
     if (kForbiddenInCore.contains(header)) return "core knows no files, random numbers or clocks";
     return {};

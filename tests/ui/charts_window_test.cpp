@@ -185,7 +185,7 @@ void ChartsWindowTest::pickingOnAPathGoesThere() {
   window.charts()->chooseKind(kPhase);
   window.chart().grab();
   const auto points = window.chart().plot().caches()[1].points();
-  const core::CurvePoint then = points[20];
+  const core::TimedPoint then = points[20];
   QTest::mouseClick(&window.chart(), Qt::LeftButton, {}, window.placeOf({then.x, then.y}));
   QVERIFY(std::abs(window.controller()->time() - then.time) < 0.05);
 }

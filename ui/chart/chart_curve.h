@@ -27,7 +27,7 @@ class PointSource {
   virtual std::uint64_t revision() const = 0;
   virtual std::size_t settled() const = 0;
   /// Appends the points from this one on.
-  virtual void appendFrom(std::size_t first, std::vector<core::CurvePoint>& points) const = 0;
+  virtual void appendFrom(std::size_t first, std::vector<core::TimedPoint>& points) const = 0;
 
  protected:
   PointSource() = default;
@@ -45,7 +45,7 @@ class SeriesPoints final : public PointSource {
   std::size_t size() const override { return m_series.samples().size(); }
   std::uint64_t revision() const override { return m_series.revision(); }
   std::size_t settled() const override { return m_series.settled(); }
-  void appendFrom(std::size_t first, std::vector<core::CurvePoint>& points) const override {
+  void appendFrom(std::size_t first, std::vector<core::TimedPoint>& points) const override {
     for (const Sample& sample : m_series.samples().subspan(first)) points.push_back(m_read(sample));
   }
 
@@ -55,7 +55,7 @@ class SeriesPoints final : public PointSource {
 };
 
 /// @param series  must outlive the points
-/// @param read    CurvePoint(const Sample&)
+/// @param read    TimedPoint(const Sample&)
 template <class Sample, class Read>
 std::shared_ptr<const PointSource> pointsOf(const core::EvenSeries<Sample>& series, Read read) {
   return std::make_shared<SeriesPoints<Sample, Read>>(series, std::move(read));

@@ -163,8 +163,8 @@ CurveExtent ChartPlot::extentOfAll() {
 QRectF ChartPlot::wholeRange() {
   CurveExtent extent = extentOfAll();
   if (extent.isEmpty()) {
-    extent.add(core::CurvePoint{0, 0, 0});
-    extent.add(core::CurvePoint{0, 1, 1});
+    extent.add(core::TimedPoint{0, 0, 0});
+    extent.add(core::TimedPoint{0, 1, 1});
   }
   if (m_content.overTime) {
     extent.lowestX = 0;

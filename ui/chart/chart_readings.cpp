@@ -22,7 +22,7 @@ QString withUnit(double value, const QString& unit) {
 }
 
 /// @param amount  what is read off there
-QString textOf(const ChartContent& content, const core::CurvePoint& point, double amount) {
+QString textOf(const ChartContent& content, const core::TimedPoint& point, double amount) {
   const QString y = withUnit(amount, content.vertical.unit);
   if (content.overTime) return y;
   return Words::tr("%1; %2").arg(withUnit(point.x, content.horizontal.unit), y);
@@ -52,7 +52,7 @@ std::optional<double> nearestTime(const ChartPlot& plot, QPointF place, QSizeF u
   double least = most;
   for (std::size_t i = 0; i < plot.caches().size(); ++i) {
     if (!plot.isShown(i)) continue;
-    for (const core::CurvePoint& point : plot.caches()[i].points()) {
+    for (const core::TimedPoint& point : plot.caches()[i].points()) {
       const double distance = std::hypot((point.x - place.x()) * unitSize.width(),
                                          (point.y - place.y()) * unitSize.height());
       if (!(distance < least)) continue;  // gaps neither

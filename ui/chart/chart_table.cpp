@@ -15,7 +15,7 @@ namespace ui {
 
 namespace {
 
-using core::CurvePoint;
+using core::TimedPoint;
 
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(ui::ChartTable)
@@ -24,15 +24,15 @@ struct Words {
 /// One column: a heading, and what to take of each point.
 struct Column {
   QString heading;
-  std::span<const CurvePoint> points;
-  double CurvePoint::*value;
+  std::span<const TimedPoint> points;
+  double TimedPoint::*value;
 };
 
-std::span<const CurvePoint> pointsShown(const ChartPlot& plot, std::size_t curve) {
-  const std::span<const CurvePoint> all = plot.readable(curve).points();
+std::span<const TimedPoint> pointsShown(const ChartPlot& plot, std::size_t curve) {
+  const std::span<const TimedPoint> all = plot.readable(curve).points();
   if (!plot.content().overTime) return all;
-  const auto begin = std::ranges::lower_bound(all, plot.range().left(), {}, &CurvePoint::time);
-  const auto end = std::ranges::upper_bound(all, plot.range().right(), {}, &CurvePoint::time);
+  const auto begin = std::ranges::lower_bound(all, plot.range().left(), {}, &TimedPoint::time);
+  const auto end = std::ranges::upper_bound(all, plot.range().right(), {}, &TimedPoint::time);
   return {begin, end};
 }
 
@@ -47,14 +47,14 @@ void appendColumns(std::vector<Column>& columns, const ChartPlot& plot, std::siz
   const auto points = pointsShown(plot, index);
   if (content.overTime) {
     columns.push_back(
-        {heading(plot, curve, curve.name, content.vertical.unit), points, &CurvePoint::y});
+        {heading(plot, curve, curve.name, content.vertical.unit), points, &TimedPoint::y});
     return;
   }
   const auto named = [&](const ChartAxis& axis) {
     return heading(plot, curve, curve.name + QStringLiteral(": ") + axis.quantity, axis.unit);
   };
-  columns.push_back({named(content.horizontal), points, &CurvePoint::x});
-  columns.push_back({named(content.vertical), points, &CurvePoint::y});
+  columns.push_back({named(content.horizontal), points, &TimedPoint::x});
+  columns.push_back({named(content.vertical), points, &TimedPoint::y});
 }
 
 std::vector<Column> columnsOf(const ChartPlot& plot) {
@@ -66,7 +66,7 @@ std::vector<Column> columnsOf(const ChartPlot& plot) {
       if (curve.run != run || !plot.isShown(i)) continue;
       if (isFirst) {
         columns.push_back({heading(plot, curve, Words::tr("Time"), Words::tr("s")),
-                           pointsShown(plot, i), &CurvePoint::time});
+                           pointsShown(plot, i), &TimedPoint::time});
       }
       isFirst = false;
       appendColumns(columns, plot, i);

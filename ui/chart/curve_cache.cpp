@@ -6,9 +6,9 @@
 
 namespace ui {
 
-using core::CurvePoint;
+using core::TimedPoint;
 
-void CurveExtent::add(const CurvePoint& point) {
+void CurveExtent::add(const TimedPoint& point) {
   lowestX = std::min(lowestX, point.x);
   highestX = std::max(highestX, point.x);
   lowestY = std::min(lowestY, point.y);
@@ -33,7 +33,7 @@ bool CurveCache::hasNews() const {
 /// The last point may have been replaced by a later one.
 bool CurveCache::lastHasMoved() const {
   if (m_points.empty()) return false;
-  std::vector<CurvePoint> last;
+  std::vector<TimedPoint> last;
   m_source->appendFrom(m_points.size() - 1, last);
   return last.front().time != m_points.back().time;
 }
@@ -58,23 +58,23 @@ const CurveExtent& CurveCache::extentUntil(double time) {
     m_measured = 0;
   }
   for (; m_measured < m_points.size(); ++m_measured) {
-    const CurvePoint& point = m_points[m_measured];
+    const TimedPoint& point = m_points[m_measured];
     if (point.time > time) break;
     if (std::isfinite(point.x) && std::isfinite(point.y)) m_extent.add(point);
   }
   return m_extent;
 }
 
-std::optional<CurvePoint> CurveCache::at(double time) const {
-  const auto after = std::ranges::lower_bound(m_points, time, {}, &CurvePoint::time);
+std::optional<TimedPoint> CurveCache::at(double time) const {
+  const auto after = std::ranges::lower_bound(m_points, time, {}, &TimedPoint::time);
   if (after == m_points.end()) return std::nullopt;
   if (after->time == time || after == m_points.begin()) {
     const bool isThere = after->time == time && std::isfinite(after->y);
     return isThere ? std::optional(*after) : std::nullopt;
   }
-  const CurvePoint& before = *(after - 1);
+  const TimedPoint& before = *(after - 1);
   const double part = (time - before.time) / (after->time - before.time);
-  const CurvePoint between{time, before.x + part * (after->x - before.x),
+  const TimedPoint between{time, before.x + part * (after->x - before.x),
                            before.y + part * (after->y - before.y)};
   if (!std::isfinite(between.x) || !std::isfinite(between.y)) return std::nullopt;
   return between;

@@ -20,7 +20,7 @@ struct CurveExtent {
   double highestY = -std::numeric_limits<double>::infinity();
 
   bool isEmpty() const { return lowestX > highestX; }
-  void add(const core::CurvePoint& point);
+  void add(const core::TimedPoint& point);
   void add(const CurveExtent& other);
 };
 
@@ -34,20 +34,20 @@ class CurveCache {
   void read();
 
   /// In order of time, as of the last read().
-  std::span<const core::CurvePoint> points() const { return m_points; }
+  std::span<const core::TimedPoint> points() const { return m_points; }
 
   /// Of all finite points up to a moment [s].
   const CurveExtent& extentUntil(double time);
 
   /// The point at a moment, between two samples by straight line; nothing before the first,
   /// after the last, and in gaps.
-  std::optional<core::CurvePoint> at(double time) const;
+  std::optional<core::TimedPoint> at(double time) const;
 
  private:
   bool lastHasMoved() const;
 
   std::shared_ptr<const PointSource> m_source;
-  std::vector<core::CurvePoint> m_points;
+  std::vector<core::TimedPoint> m_points;
   std::size_t m_settled = 0;
   std::uint64_t m_revision = 0;
 

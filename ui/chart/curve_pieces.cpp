@@ -11,17 +11,17 @@ namespace ui {
 
 namespace {
 
-using core::CurvePoint;
-using Curve = std::span<const CurvePoint>;
+using core::TimedPoint;
+using Curve = std::span<const TimedPoint>;
 
 constexpr std::size_t kFewestPoints = 12;
 
-bool isFinite(const CurvePoint& point) {
+bool isFinite(const TimedPoint& point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
 /// The point, or one in its direction not so far away that differences overflow.
-QPointF near(const CurvePoint& point, const QRectF& range) {
+QPointF near(const TimedPoint& point, const QRectF& range) {
   constexpr double kFar = 1e9;  // in sizes of the range
   const auto bounded = [](double value, double middle, double size) {
     return std::clamp(value, middle - kFar * size, middle + kFar * size);
@@ -32,7 +32,7 @@ QPointF near(const CurvePoint& point, const QRectF& range) {
 
 /// Calls `use` with each stretch between gaps, thinned.
 void forEachStretch(Curve curve, std::size_t most,
-                    const std::function<void(const std::vector<CurvePoint>&)>& use) {
+                    const std::function<void(const std::vector<TimedPoint>&)>& use) {
   auto begin = curve.begin();
   while (true) {
     begin = std::find_if(begin, curve.end(), isFinite);
@@ -66,7 +66,7 @@ std::optional<QLineF> lineInside(QPointF from, QPointF to, const QRectF& range) 
   return QLineF(start, last < 1 ? from + last * way : to);
 }
 
-void appendPieces(std::vector<QPolygonF>& pieces, const std::vector<CurvePoint>& stretch,
+void appendPieces(std::vector<QPolygonF>& pieces, const std::vector<TimedPoint>& stretch,
                   const QRectF& range) {
   QPolygonF piece;
   const auto finish = [&] {
@@ -116,7 +116,7 @@ QPolygonF areaInside(QPolygonF area, const QRectF& range) {
 
 std::vector<QPolygonF> piecesInside(Curve curve, const QRectF& range, std::size_t most) {
   std::vector<QPolygonF> pieces;
-  forEachStretch(curve, most, [&](const std::vector<CurvePoint>& stretch) {
+  forEachStretch(curve, most, [&](const std::vector<TimedPoint>& stretch) {
     appendPieces(pieces, stretch, range);
   });
   return pieces;
@@ -125,9 +125,9 @@ std::vector<QPolygonF> piecesInside(Curve curve, const QRectF& range, std::size_
 std::vector<QPolygonF> areasInside(Curve curve, double base, const QRectF& range,
                                    std::size_t most) {
   std::vector<QPolygonF> areas;
-  forEachStretch(curve, most, [&](const std::vector<CurvePoint>& stretch) {
+  forEachStretch(curve, most, [&](const std::vector<TimedPoint>& stretch) {
     QPolygonF area;
-    for (const CurvePoint& point : stretch) area.append(near(point, range));
+    for (const TimedPoint& point : stretch) area.append(near(point, range));
     const QPointF end = near({0, stretch.back().x, base}, range);
     area << end << QPointF(area.first().x(), end.y());
     area = areaInside(area, range);
@@ -137,8 +137,8 @@ std::vector<QPolygonF> areasInside(Curve curve, double base, const QRectF& range
 }
 
 Curve partBetween(Curve curve, double from, double to) {
-  auto begin = std::ranges::lower_bound(curve, from, {}, &CurvePoint::time);
-  auto end = std::ranges::upper_bound(curve, to, {}, &CurvePoint::time);
+  auto begin = std::ranges::lower_bound(curve, from, {}, &TimedPoint::time);
+  auto end = std::ranges::upper_bound(curve, to, {}, &TimedPoint::time);
   if (begin != curve.begin()) --begin;
   if (end != curve.end()) ++end;
   return begin < end ? Curve(begin, end) : Curve();

@@ -17,16 +17,16 @@ namespace ui {
 ///
 /// @param range  in the units of the curve; its top() is the lowest y
 /// @param most   points wanted at most, every peak kept
-std::vector<QPolygonF> piecesInside(std::span<const core::CurvePoint> curve, const QRectF& range,
+std::vector<QPolygonF> piecesInside(std::span<const core::TimedPoint> curve, const QRectF& range,
                                     std::size_t most);
 
 /// The area between a curve over time and a height, cut in the same way.
-std::vector<QPolygonF> areasInside(std::span<const core::CurvePoint> curve, double base,
+std::vector<QPolygonF> areasInside(std::span<const core::TimedPoint> curve, double base,
                                    const QRectF& range, std::size_t most);
 
 /// The part of a curve over time that lies between two moments, and one point more at each
 /// end to lead there.
-std::span<const core::CurvePoint> partBetween(std::span<const core::CurvePoint> curve, double from,
+std::span<const core::TimedPoint> partBetween(std::span<const core::TimedPoint> curve, double from,
                                               double to);
 
 /// No curve needs more, on any screen or paper.

@@ -42,7 +42,7 @@ constexpr std::array kLayers = {
 std::shared_ptr<const PointSource> energyPoints(const core::Ledger& ledger,
                                                 double (*of)(const Energies&)) {
   return pointsOf(ledger.series(), [of](const EnergySample& sample) {
-    return core::CurvePoint{sample.time, sample.time, of(sample.energies)};
+    return core::TimedPoint{sample.time, sample.time, of(sample.energies)};
   });
 }
 

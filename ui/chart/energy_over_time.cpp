@@ -23,7 +23,7 @@ ChartCurve curveOf(const core::Ledger& ledger, std::size_t index, const Theme& t
   curve.holdsPotential = quantity.holdsPotential;
   curve.quantity = index;
   curve.points = pointsOf(ledger.series(), [of = quantity.of](const core::EnergySample& sample) {
-    return core::CurvePoint{sample.time, sample.time, of(sample.energies)};
+    return core::TimedPoint{sample.time, sample.time, of(sample.energies)};
   });
   return curve;
 }

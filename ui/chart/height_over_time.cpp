@@ -13,7 +13,7 @@ struct Words {
   Q_DECLARE_TR_FUNCTIONS(ui::WeightChart)
 };
 
-core::CurvePoint height(const core::MotionSample& sample) {
+core::TimedPoint height(const core::MotionSample& sample) {
   return {sample.time, sample.time, sample.weight.position.y()};
 }
 

@@ -13,7 +13,7 @@ struct Words {
   Q_DECLARE_TR_FUNCTIONS(ui::WeightChart)
 };
 
-core::CurvePoint place(const core::MotionSample& sample) {
+core::TimedPoint place(const core::MotionSample& sample) {
   return {sample.time, sample.weight.position.x(), sample.weight.position.y()};
 }
 

@@ -19,7 +19,7 @@ struct Words {
   Q_DECLARE_TR_FUNCTIONS(ui::WeightChart)
 };
 
-core::CurvePoint angleAndAngularVelocity(const core::MotionSample& sample) {
+core::TimedPoint angleAndAngularVelocity(const core::MotionSample& sample) {
   const core::WeightState& weight = sample.weight;
   if (weight.phase != core::Phase::kTethered) return {sample.time, kNothing, kNothing};
   return {sample.time, weight.angle * kDegreesPerRadian,

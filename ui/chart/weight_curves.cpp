@@ -27,7 +27,7 @@ QColor colorInScene(const core::Scene& scene, int weight, const Theme& theme) {
 }  // namespace
 
 std::vector<ChartCurve> weightCurves(const ChartSubject& subject, const Theme& theme,
-                                     core::CurvePoint (*read)(const core::MotionSample&)) {
+                                     core::TimedPoint (*read)(const core::MotionSample&)) {
   const bool alone = subject.weights.size() == 1;
   std::vector<ChartCurve> curves;
   for (std::size_t run = 0; run < subject.runs.size(); ++run) {
@@ -49,7 +49,7 @@ std::vector<ChartCurve> weightCurves(const ChartSubject& subject, const Theme& t
 }
 
 ChartContent weightChart(const ChartSubject& subject, const Theme& theme, ChartAxis horizontal,
-                         ChartAxis vertical, core::CurvePoint (*read)(const core::MotionSample&)) {
+                         ChartAxis vertical, core::TimedPoint (*read)(const core::MotionSample&)) {
   ChartContent content;
   content.horizontal = std::move(horizontal);
   content.vertical = std::move(vertical);

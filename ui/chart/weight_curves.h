@@ -15,11 +15,11 @@ namespace ui {
 ///
 /// @param read  the point of a curve that a sample gives; not finite where there is none
 std::vector<ChartCurve> weightCurves(const ChartSubject& subject, const Theme& theme,
-                                     core::CurvePoint (*read)(const core::MotionSample&));
+                                     core::TimedPoint (*read)(const core::MotionSample&));
 
 /// Content with such curves, and a note if not all chosen weights can be told apart.
 ChartContent weightChart(const ChartSubject& subject, const Theme& theme, ChartAxis horizontal,
-                         ChartAxis vertical, core::CurvePoint (*read)(const core::MotionSample&));
+                         ChartAxis vertical, core::TimedPoint (*read)(const core::MotionSample&));
 
 /// The time axis of charts of weights.
 ChartAxis timeAxis();

@@ -39,6 +39,7 @@ enum class Command {
   kGoToEnd,
   kGoTo,
   kStopTravelling,
+  kMeasure,
   kTrails,
   kFit,
   kZoomIn,

@@ -12,6 +12,7 @@ constexpr double kFrame = 1.0 / 60;         // s
 constexpr double kPlayingBudget = 0.012;    // s of work per frame: leaves 4 ms for drawing
 constexpr double kTravellingBudget = 0.03;  // s: keys and mouse are heard in between
 constexpr double kFirstBudget = 0.1;        // s: what takes less counts as at once
+constexpr double kShownEvery = 0.15;        // s: on the way drawing is not what time is for
 constexpr double kSameMoment = 1e-9;        // of a step: sums of steps differ in last digits
 
 double steadySeconds() {
@@ -87,8 +88,14 @@ void RunController::setGoal(double time) {
 void RunController::travel(double budget) {
   const double deadline = now() + budget;
   const double before = time();
-  if (restoreUntil(deadline)) computeUntil(deadline);
-  if (time() != before || !m_goal) emit timeShown(time());
+  const bool isRestored = restoreUntil(deadline);
+  const bool hasJumped = time() != before;
+  if (isRestored) computeUntil(deadline);
+  const bool isOnTheWay = m_goal && !hasJumped && now() - m_lastShown < kShownEvery;
+  if (!isOnTheWay && (time() != before || !m_goal)) {
+    m_lastShown = now();
+    emit timeShown(time());
+  }
   noteChanges();
   emit travelled();
 }
@@ -148,6 +155,7 @@ void RunController::endTravel() {
 void RunController::stopTravelling() {
   if (!m_goal) return;
   endTravel();
+  emit timeShown(time());
   noteChanges();
   emit travelled();
 }
@@ -236,10 +244,12 @@ void RunController::stepFrameBack() {
 
 void RunController::cutAll() {
   if (!canCut()) return;
-  stopTravelling();
+  const bool wasTravelling = isTravelling();
+  endTravel();
   m_lanes.cutAll();
   emit timeShown(time());
   noteChanges();
+  if (wasTravelling) emit travelled();
 }
 
 void RunController::reset() {

@@ -164,6 +164,7 @@ class RunController : public QObject {
   int m_wantedRun = 0;
   double m_start = 0;             // [s]
   std::int64_t m_stepsAtAim = 0;  // to go when the lanes were aimed
+  double m_lastShown = 0;         // when, by the stopwatch [s]
 
   // As last told.
   bool m_couldCut = false;

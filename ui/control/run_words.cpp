@@ -19,6 +19,8 @@ struct Words {
     QT_TRANSLATE_NOOP("ui::RunWords", "Euler (explicit)"),
     QT_TRANSLATE_NOOP("ui::RunWords", "Euler (semi-implicit)"),
     QT_TRANSLATE_NOOP("ui::RunWords", "Runge–Kutta 4"),
+    QT_TRANSLATE_NOOP("ui::RunWords", "Dormand–Prince 5(4)"),
+    QT_TRANSLATE_NOOP("ui::RunWords", "Reference"),
 };
 
 }  // namespace
@@ -28,8 +30,11 @@ QString methodWords(const core::Method& method) {
 }
 
 QString runWords(const core::Solver& solver) {
-  return Words::tr("%1, %2 s")
-      .arg(methodWords(*core::findMethod(solver.method)), fractionText(solver.step));
+  const core::Method& method = *core::findMethod(solver.method);
+  if (!method.isOffered) return methodWords(method);
+  if (method.isAdaptive)
+    return Words::tr("%1, tolerance %2").arg(methodWords(method), quantityText(solver.tolerance));
+  return Words::tr("%1, %2 s").arg(methodWords(method), fractionText(solver.step));
 }
 
 QString stopWords(const core::Run& run) {
@@ -42,6 +47,11 @@ QString stopWords(const core::Run& run) {
           .arg(runWords(run.solver()), when);
     case core::RunStatus::kEndless:
       return Words::tr("%1, stopped at %2 s: one step held more impacts than a step may.")
+          .arg(runWords(run.solver()), when);
+    case core::RunStatus::kStalled:
+      return Words::tr(
+                 "%1, stopped at %2 s: the tolerance asks for more or smaller steps than "
+                 "can be taken.")
           .arg(runWords(run.solver()), when);
   }
   return {};

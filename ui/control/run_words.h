@@ -13,7 +13,7 @@ namespace ui {
 /// The method's name in the reader's language.
 QString methodWords(const core::Method& method);
 
-/// Method and step: "RK4, 1/60 s".
+/// Method and step or tolerance: "Runge–Kutta 4, 1/60 s".
 /// @pre the solver's method is known
 QString runWords(const core::Solver& solver);
 

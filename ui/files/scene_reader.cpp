@@ -137,27 +137,34 @@ core::Rope SceneReader::readRope() {
 core::Solver SceneReader::readSolver() {
   core::Solver solver;
   std::optional<std::string> method;
+  std::optional<double> step;
   std::optional<double> tolerance;
   readObject({
       {"method", [&] { method = readMethod(); }},
-      {"step", [&] { solver.step = readNumber(); }},
+      {"step", [&] { step = readNumber(); }},
       {"tolerance", [&] { tolerance = readNumber(); }},
   });
   if (!method) {
     const PlaceScope place(m_place, "method");
     refuse(tr("is missing"));
   }
-  if (tolerance) {
-    const PlaceScope place(m_place, "tolerance");
-    refuse(tr("%1 takes a step, not a tolerance").arg(QString::fromStdString(*method)));
+  const QString name = QString::fromStdString(*method);
+  const bool isAdaptive = core::findMethod(*method)->isAdaptive;
+  if (step && isAdaptive) {
+    const PlaceScope place(m_place, "step");
+    refuse(tr("%1 takes a tolerance, not a step").arg(name));
   }
-  solver.method = *method;
+  if (tolerance && !isAdaptive) {
+    const PlaceScope place(m_place, "tolerance");
+    refuse(tr("%1 takes a step, not a tolerance").arg(name));
+  }
+  solver = {*method, step.value_or(solver.step), tolerance.value_or(solver.tolerance)};
   return solver;
 }
 
 std::string SceneReader::readMethod() {
   std::string method = readString();
-  if (!core::findMethod(method)) {
+  if (!core::findOfferedMethod(method)) {
     refuse({m_place,
             core::Problem::Kind::kUnknownMethod,
             0,

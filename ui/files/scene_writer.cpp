@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "core/methods/method.h"
 #include "core/scene/scene.h"
 #include "core/scene/scene_limits.h"
 #include "ui/files/degree_text.h"
@@ -65,7 +66,10 @@ std::string weightText(const core::Weight& weight) {
 }
 
 std::string solverText(const core::Solver& solver) {
-  return "{\"method\": " + jsonString(solver.method) + ", \"step\": " + numberText(solver.step) +
+  const bool isAdaptive = core::findMethod(solver.method)->isAdaptive;
+  return "{\"method\": " + jsonString(solver.method) +
+         (isAdaptive ? ", \"tolerance\": " + numberText(solver.tolerance)
+                     : ", \"step\": " + numberText(solver.step)) +
          '}';
 }
 

@@ -76,12 +76,12 @@ double Timeline::timeAt(double position) const {
   return std::max(0.0, (position - line.left()) / line.width() * lastTime());
 }
 
-// Impacts above the line, turning points below, what happens to ropes and rest on it.
+// Impacts above the line, what happens to ropes on it, where weights stop or turn round below.
 double Timeline::rowOf(core::EventKind kind) const {
   const double middle = height() / 2.0;
   if (belongsTo(EventGroup::kImpacts, kind)) return middle - kRow;
-  if (belongsTo(EventGroup::kTurningPoints, kind)) return middle + kRow;
-  return middle;
+  const bool isOnRope = belongsTo(EventGroup::kCuts, kind) || belongsTo(EventGroup::kRopes, kind);
+  return isOnRope ? middle : middle + kRow;
 }
 
 const std::vector<TimelineMark>& Timeline::marks() const {

@@ -23,14 +23,14 @@ ChartContent contentOf(const char* id, const ui::ChartSubject& subject) {
   qFatal("no kind %s", id);
 }
 
-std::vector<core::CurvePoint> pointsOf(const ChartCurve& curve) {
-  std::vector<core::CurvePoint> points;
+std::vector<core::TimedPoint> pointsOf(const ChartCurve& curve) {
+  std::vector<core::TimedPoint> points;
   curve.points->appendFrom(0, points);
   return points;
 }
 
-std::vector<core::CurvePoint> amountsOf(const ChartCurve& curve) {
-  std::vector<core::CurvePoint> points;
+std::vector<core::TimedPoint> amountsOf(const ChartCurve& curve) {
+  std::vector<core::TimedPoint> points;
   curve.amounts->appendFrom(0, points);
   return points;
 }
@@ -104,7 +104,7 @@ void ChartKindTest::drawsAnglesOnlyWhileARopeIsTaut() {
   QCOMPARE(portrait[12].time, 0.2);
   QVERIFY(std::abs(portrait[12].x - swinging.angle * 180 / std::numbers::pi) < 1e-9);
   QVERIFY(std::abs(portrait[12].y - swinging.angularVelocity * 180 / std::numbers::pi) < 1e-9);
-  for (const core::CurvePoint& point : portrait) {
+  for (const core::TimedPoint& point : portrait) {
     QCOMPARE(std::isfinite(point.x), point.time < kCut);
     QCOMPARE(std::isfinite(point.y), point.time < kCut);
   }

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-using core::CurvePoint;
+using core::TimedPoint;
 using ui::CurveCache;
 
 namespace {
@@ -18,7 +18,7 @@ using Series = core::EvenSeries<Sample>;
 
 CurveCache cacheOf(const Series& series) {
   return CurveCache(ui::pointsOf(series, [](const Sample& sample) {
-    return CurvePoint{sample.time, sample.time, sample.value};
+    return TimedPoint{sample.time, sample.time, sample.value};
   }));
 }
 
@@ -27,7 +27,7 @@ bool holdsWhatTheSeriesHolds(const CurveCache& cache, const Series& series) {
   const auto points = cache.points();
   if (points.size() != samples.size()) return false;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i] != CurvePoint{samples[i].time, samples[i].time, samples[i].value}) return false;
+    if (points[i] != TimedPoint{samples[i].time, samples[i].time, samples[i].value}) return false;
   }
   return true;
 }

@@ -6,18 +6,18 @@
 
 #include <QTest>
 
-using core::CurvePoint;
+using core::TimedPoint;
 
 namespace {
 
-using Curve = std::vector<CurvePoint>;
+using Curve = std::vector<TimedPoint>;
 using Pieces = std::vector<QPolygonF>;
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 const QRectF kRange(0, 0, 10, 10);
 
 /// A point of a curve over time.
-CurvePoint at(double time, double y) {
+TimedPoint at(double time, double y) {
   return {time, time, y};
 }
 

@@ -256,6 +256,7 @@ void GoingBackTest::longWaysGoOnInLaterFrames() {
   playUntil(controller, 2);
   const Bits before = shown(controller);
   QSignalSpy busy(&controller, &RunController::busyChanged);
+  QSignalSpy told(&controller, &RunController::timeShown);
   perLook = 1;  // one step a call
   controller.goTo(40);
   QVERIFY(controller.isTravelling());
@@ -267,6 +268,7 @@ void GoingBackTest::longWaysGoOnInLaterFrames() {
   QVERIFY(controller.time() > 2 && controller.time() < 40);
   controller.stopTravelling();
   QVERIFY(!controller.isTravelling());
+  QCOMPARE(told.last().first().toDouble(), controller.time());
   QCOMPARE(busy.count(), 2);
   // What it had come to is recorded and the same as ever.
   perLook = 0;

@@ -36,7 +36,7 @@ core::Scene awkwardScene() {
   scene.restitution = 0.30000000000000004;
   scene.cutTime = 1e22;
   scene.weights = {swingingWeight(), freeWeight()};
-  scene.solvers = {{"euler", 1.0 / 60, 1e-9}, {"rk4", 1e-7, 1e-9}};
+  scene.solvers = {{"euler", 1.0 / 60, 1e-9}, {"rk4", 1e-7, 1e-9}, {"dopri5", 1.0 / 60, 1e-5}};
   return scene;
 }
 

@@ -113,13 +113,17 @@ void SceneReaderTest::fillsInTheDefaults() {
 
 void SceneReaderTest::readsAScenesSolvers() {
   const ui::SceneOrError read = ui::parseScene(
-      fileWith(R"("solvers": [{"method": "euler", "step": 0.0166667}, {"method": "rk4"}])"));
+      fileWith(R"("solvers": [{"method": "euler", "step": 0.0166667}, {"method": "rk4"},
+                              {"method": "dopri5", "tolerance": 1e-6}, {"method": "dopri5"}])"));
   QCOMPARE(read.error, QString());
-  QCOMPARE(read.scene->solvers.size(), std::size_t{2});
+  QCOMPARE(read.scene->solvers.size(), std::size_t{4});
   QCOMPARE(read.scene->solvers[0].method, std::string("euler"));
   QCOMPARE(read.scene->solvers[0].step, 0.0166667);
   QCOMPARE(read.scene->solvers[1].method, std::string("rk4"));
   QCOMPARE(read.scene->solvers[1].step, 1.0 / 60);
+  QCOMPARE(read.scene->solvers[2].method, std::string("dopri5"));
+  QCOMPARE(read.scene->solvers[2].tolerance, 1e-6);
+  QCOMPARE(read.scene->solvers[3].tolerance, 1e-9);
 }
 
 void SceneReaderTest::acceptsTheEndsOfEveryRange_data() {
@@ -262,6 +266,12 @@ void SceneReaderTest::refusesFaults_data() {
       "solvers[0].step: must be from 1e-7 to 10 s, got 20");
   row("tolerance of a method with a step", fileWithSolver(R"("method": "rk4", "tolerance": 1e-9)"),
       "solvers[0].tolerance: rk4 takes a step, not a tolerance");
+  row("step of a method with a tolerance", fileWithSolver(R"("method": "dopri5", "step": 0.1)"),
+      "solvers[0].step: dopri5 takes a tolerance, not a step");
+  row("tolerance", fileWithSolver(R"("method": "dopri5", "tolerance": 2)"),
+      "solvers[0].tolerance: must be from 1e-14 to 1, got 2");
+  row("method of the program's own", fileWithSolver(R"("method": "reference")"),
+      R"(solvers[0].method: there is no method named "reference")");
 }
 
 void SceneReaderTest::refusesFaults() {

@@ -1,0 +1,41 @@
+#include "app/progress_line.h"
+
+#include <cstdio>
+
+#include <QCoreApplication>
+#include <QtGlobal>
+
+#ifdef Q_OS_WIN
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace app {
+namespace {
+
+bool isTerminal() {
+#ifdef Q_OS_WIN
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine() : m_isShown(isTerminal()) {}
+
+ProgressLine::~ProgressLine() {
+  if (m_percent >= 0) std::fputs("\r\x1b[K", stderr);
+}
+
+void ProgressLine::show(double share) {
+  const int percent = static_cast<int>(100 * share);
+  if (!m_isShown || percent == m_percent) return;
+  m_percent = percent;
+  const QString words = QCoreApplication::translate("app::ProgressLine", "Measuring: %1 %");
+  std::fprintf(stderr, "\r%s", words.arg(percent).toUtf8().constData());
+}
+
+}  // namespace app

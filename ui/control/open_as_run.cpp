@@ -1,0 +1,27 @@
+#include "ui/control/open_as_run.h"
+
+#include <algorithm>
+
+#include "core/scene/scene_limits.h"
+#include "core/trade/settings.h"
+#include "ui/control/scene_editor.h"
+
+namespace ui {
+
+int openAsRun(SceneEditor& editor, const core::Solver& solver) {
+  const auto isSame = [&](const core::Solver& other) {
+    return other.method == solver.method && core::settingOf(other) == core::settingOf(solver);
+  };
+  const std::vector<core::Solver>& running = editor.draft().solvers;
+  const auto found = std::ranges::find_if(running, isSame);
+  if (found != running.end()) return static_cast<int>(found - running.begin());
+  editor.change([&](core::Scene& draft) {
+    if (draft.solvers.size() == static_cast<std::size_t>(core::kMostSolvers)) {
+      draft.solvers.pop_back();
+    }
+    draft.solvers.push_back(solver);
+  });
+  return static_cast<int>(editor.draft().solvers.size()) - 1;
+}
+
+}  // namespace ui
