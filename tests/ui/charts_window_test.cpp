@@ -65,7 +65,9 @@ class ShownWindow : public MainWindow {
 
   void play(double seconds) {
     controller()->play();
-    controller()->passTime(seconds);
+    for (int frame = 0; frame < std::lround(seconds * 60); ++frame) {
+      controller()->passTime(1.0 / 60);
+    }
     controller()->pause();
     // The chart draws when it is its turn.
     if (!QTest::qWaitFor([this] { return !chart().plot().hasNews(); })) qFatal("nothing drawn");
@@ -368,7 +370,7 @@ void ChartsWindowTest::remembersTheSplitter() {
     ShownWindow window(swingingScene(), QSize(1600, 1000));
     auto* dock = window.findChild<QDockWidget*>("charts");
     const int before = dock->height();
-    window.resizeDocks({dock}, {before + 60}, Qt::Vertical);
+    window.resizeDocks({dock}, {before + 100}, Qt::Vertical);
     QTRY_VERIFY(dock->height() > before + 30);
     height = dock->height();
     window.close();
