@@ -6,7 +6,6 @@
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QLegend>
-#include <QLineSeries>
 #include <QLocale>
 #include <QValueAxis>
 
@@ -22,7 +21,8 @@ QString unitSuffix(const ScaledUnit& unit) {
   return unit.symbol == QStringLiteral("°") ? unit.symbol : ' ' + unit.symbol;
 }
 
-void showScale(QValueAxis& axis, const NiceScale& scale, const QString& title) {
+/// From tick to tick.
+void showWhole(QValueAxis& axis, const NiceScale& scale, const QString& title) {
   axis.setTickType(QValueAxis::TicksFixed);
   axis.setLabelFormat(labelFormat(scale));
   axis.setTickCount(scale.tickCount());
@@ -46,7 +46,7 @@ void showScale(QValueAxis& axis, const AxisScale& scale, const QString& title) {
   const bool endsOnTicks =
       scale.lowest == scale.ticks.lowest && scale.highest == scale.ticks.highest;
   if (endsOnTicks) {
-    showScale(axis, scale.ticks, title);
+    showWhole(axis, scale.ticks, title);
   } else {
     showPart(axis, scale, title);
   }
@@ -97,14 +97,6 @@ void ChartFrame::setHeading(HeadingContent content) {
   layOut();
 }
 
-void ChartFrame::setHorizontal(const NiceScale& scale, const QString& title) {
-  showScale(*m_horizontal, scale, title);
-}
-
-void ChartFrame::setVertical(const NiceScale& scale, const QString& title) {
-  showScale(*m_vertical, scale, title);
-}
-
 void ChartFrame::setHorizontal(const AxisScale& scale, const QString& quantity) {
   showScale(*m_horizontal, scale, m_isLow ? QString() : scale.title(quantity));
   // Where height is scarce the unit at each number saves a line.
@@ -113,19 +105,6 @@ void ChartFrame::setHorizontal(const AxisScale& scale, const QString& quantity) 
 
 void ChartFrame::setVertical(const AxisScale& scale, const QString& quantity) {
   showScale(*m_vertical, scale, scale.title(quantity));
-}
-
-QLineSeries* ChartFrame::addCurve(const QString& name) {
-  auto* curve = new QLineSeries;
-  curve->setName(name);
-  m_chart->addSeries(curve);
-  curve->attachAxis(m_horizontal);
-  curve->attachAxis(m_vertical);
-  return curve;
-}
-
-void ChartFrame::removeCurves() {
-  m_chart->removeAllSeries();
 }
 
 int ChartFrame::horizontalIntervals() const {
@@ -138,12 +117,6 @@ int ChartFrame::verticalIntervals() const {
   constexpr double kLabel = 2.2;
   const double labels = plotSize().height() / (kLabel * m_look.font.pixelSize());
   return std::clamp(static_cast<int>(labels), 1, 8);
-}
-
-QSizeF ChartFrame::unitSize() const {
-  const QSizeF size = plotSize();
-  return {size.width() / (m_horizontal->max() - m_horizontal->min()),
-          size.height() / (m_vertical->max() - m_vertical->min())};
 }
 
 /// From what stands around the plot.

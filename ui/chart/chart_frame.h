@@ -8,10 +8,8 @@
 #include "ui/chart/chart_heading.h"
 #include "ui/chart/chart_look.h"
 #include "ui/chart/chart_scales.h"
-#include "ui/chart/nice_scale.h"
 
 class QChart;
-class QLineSeries;
 class QValueAxis;
 
 namespace ui {
@@ -30,22 +28,14 @@ class ChartFrame : public QObject {
 
   void setHeading(HeadingContent content);
   const ChartHeading& heading() const { return *m_heading; }
-  void setHorizontal(const NiceScale& scale, const QString& title);
-  void setVertical(const NiceScale& scale, const QString& title);
   void setHorizontal(const AxisScale& scale, const QString& quantity);
   void setVertical(const AxisScale& scale, const QString& quantity);
-
-  /// A new curve along both axes; belongs to the chart.
-  QLineSeries* addCurve(const QString& name);
-  void removeCurves();
 
   /// Most intervals between labels that have room at the present size.
   int horizontalIntervals() const;
   int verticalIntervals() const;
   /// About the size of the plot, also before the chart has laid itself out [px].
   QSizeF plotSize() const;
-  /// About the size of one unit of both axes [px].
-  QSizeF unitSize() const;
 
  signals:
   /// The chart has another size: other scales may fit better.

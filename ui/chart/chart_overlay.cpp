@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 
@@ -20,6 +21,10 @@ constexpr double kCursorWidth = 2;
 constexpr double kGap = 8;
 constexpr double kGripSize = 7;
 
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ui::ChartOverlay)
+};
+
 /// The readings as a table: a row for each name, a column for each run.
 class ReadingTable {
  public:
@@ -29,7 +34,7 @@ class ReadingTable {
     for (const ChartReading& reading : readings) add(reading);
     const auto room =
         static_cast<std::size_t>(std::max(1.0, (mostHeight - 2 * kGap) / m_metrics.height() - 1));
-    if (m_rows.size() > room) m_rows.resize(room);
+    if (m_rows.size() > room) leaveOutAllBut(room - 1);
     measure();
   }
 
@@ -68,6 +73,13 @@ class ReadingTable {
       row = m_rows.end() - 1;
     }
     row->texts[reading.run] = reading.text;
+  }
+
+  void leaveOutAllBut(std::size_t kept) {
+    const auto rest = static_cast<int>(m_rows.size() - kept);
+    const QColor color = m_rows.front().color;
+    m_rows.resize(kept);
+    m_rows.push_back({Words::tr("… and %1 more").arg(rest), color, std::vector<QString>(m_runs)});
   }
 
   void measure() {
@@ -137,13 +149,14 @@ void paintDots(QPainter& painter, const std::vector<ChartReading>& readings, con
 void paintReadings(QPainter& painter, const std::vector<ChartReading>& readings,
                    const ChartOverlay& overlay, const ChartPlot& plot, const QRectF& plotArea,
                    const Theme& theme) {
-  const ReadingTable table(readings, plot, painter.font(), momentText(*overlay.readTime),
-                           plotArea.bottom());
+  // Over the numbers of the time axis, too.
+  const double bottom = plotArea.bottom() + 1.3 * QFontMetricsF(painter.font()).height();
+  const ReadingTable table(readings, plot, painter.font(), momentText(*overlay.readTime), bottom);
   QRectF box(overlay.pointer + QPointF(2 * kGap, 2 * kGap), table.size());
   // On the other side of the pointer where this one has no room.
   if (box.right() > plotArea.right()) box.moveRight(overlay.pointer.x() - 2 * kGap);
   if (box.left() < plotArea.left()) box.moveLeft(plotArea.left());
-  box.moveBottom(std::min(box.bottom(), plotArea.bottom()));
+  box.moveBottom(std::min(box.bottom(), bottom));
   box.moveTop(std::max(box.top(), 1.0));
   QColor background = theme.room;
   background.setAlphaF(0.93F);

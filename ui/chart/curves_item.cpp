@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <utility>
 
 #include <QChart>
@@ -58,11 +57,11 @@ QRectF CurvesItem::boundingRect() const {
 
 void CurvesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const QTransform toPlot = plotTransform(m_range, m_chart->plotArea());
-  for (const DrawnCurve& curve : m_curves | std::views::reverse) {
-    if (curve.fill.style() == Qt::NoBrush) continue;
+  for (auto curve = m_curves.rbegin(); curve != m_curves.rend(); ++curve) {
+    if (curve->fill.style() == Qt::NoBrush) continue;
     painter->setPen(Qt::NoPen);
-    painter->setBrush(curve.fill);
-    for (const QPolygonF& area : curve.areas) painter->drawPolygon(toPlot.map(area));
+    painter->setBrush(curve->fill);
+    for (const QPolygonF& area : curve->areas) painter->drawPolygon(toPlot.map(area));
   }
   for (const DrawnCurve& curve : m_curves) {
     if (curve.hatched) paintHatch(*painter, curve, toPlot);
