@@ -9,7 +9,7 @@ enum ExitStatus {
   kSuccess = 0,
   kFailed = 1,    ///< anything but the next two, such as a full disk
   kRefused = 2,   ///< the call or the scene
-  kDiverged = 3,  ///< the numbers stopped being finite
+  kDiverged = 3,  ///< the numbers, or the events of a step, got out of hand
 };
 
 /// Writes one line to standard error, "angrycuts: " before it.

@@ -39,8 +39,8 @@ QString sourceWords(core::Reach::Source source) {
 
 QString header() {
   QString line = Texts::tr("method").leftJustified(kNameWidth);
-  for (const QString& name :
-       {Texts::tr("order"), Texts::tr("least error"), Texts::tr("setting"), Texts::tr("ns per s")}) {
+  for (const QString& name : {Texts::tr("order"), Texts::tr("least error"), Texts::tr("setting"),
+                              Texts::tr("ns per s")}) {
     line += name.rightJustified(kColumnWidth);
   }
   return line + '\n';

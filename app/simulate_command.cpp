@@ -78,6 +78,8 @@ class Simulation {
 
   /// What to do about a run that diverged.
   QString advice() const {
+    if (m_run.status() == core::RunStatus::kStalled)
+      return Texts::tr("a larger --tolerance may help");
     if (m_run.method().isAdaptive) return Texts::tr("a smaller --tolerance may help");
     const std::optional<double> step =
         core::largestStableStep(m_scene, m_call.solver, m_call.until);
@@ -85,26 +87,19 @@ class Simulation {
     return Texts::tr("--step %1 works").arg(QString::fromStdString(core::numberText(*step)));
   }
 
+  /// Why the run could not go on.
+  QString cause() const {
+    if (m_run.status() == core::RunStatus::kDiverged)
+      return Texts::tr("the numbers stopped being finite");
+    if (m_run.status() == core::RunStatus::kEndless)
+      return Texts::tr("the next step holds more events than can be followed");
+    return Texts::tr("the tolerance asks for more or smaller steps than can be taken");
+  }
+
   ExitStatus outcome() const {
+    if (m_run.status() == core::RunStatus::kRunning) return kSuccess;
     const QString time = QString::fromStdString(core::numberText(m_run.time()));
-    switch (m_run.status()) {
-      case core::RunStatus::kRunning:
-        return kSuccess;
-      case core::RunStatus::kDiverged:
-        return failure(kDiverged,
-                       Texts::tr("diverged at %1 s: the numbers stopped being finite; %2")
-                           .arg(time, advice()));
-      case core::RunStatus::kStalled:
-        return failure(kFailed, Texts::tr("stopped at %1 s: the tolerance asks for more or smaller "
-                                          "steps than can be taken; a larger --tolerance may help")
-                                    .arg(time));
-      case core::RunStatus::kEndless:
-        break;
-    }
-    return failure(kFailed,
-                   Texts::tr("stopped at %1 s: the next step holds more events than can be "
-                             "followed")
-                       .arg(time));
+    return failure(kDiverged, Texts::tr("diverged at %1 s: %2; %3").arg(time, cause(), advice()));
   }
 
   const SimulateCall& m_call;

@@ -19,8 +19,9 @@ class Lanes {
   static constexpr int kCount = 8;
 
   Lanes() = default;
-  /// The same number in every lane.
-  Lanes(double all) : m_values(Values{} + all) {}
+  /// The same number in every lane; implicit, as a constant in an equation stands for itself.
+  Lanes(double all)  // NOLINT(google-explicit-constructor)
+      : m_values(Values{} + all) {}
 
   double operator[](int lane) const { return m_values[lane]; }
   void set(int lane, double value) { m_values[lane] = value; }
@@ -106,4 +107,10 @@ struct Eigen::ScalarBinaryOpTraits<double, core::Lanes, Operation> {
 template <class Operation>
 struct Eigen::ScalarBinaryOpTraits<core::Lanes, double, Operation> {
   using ReturnType = core::Lanes;
+};
+
+/// Lanes are aligned as they need it already, more strictly than Eigen would ask for.
+template <int kSize>
+struct Eigen::internal::compute_default_alignment<core::Lanes, kSize> {
+  enum { value = 0 };  // NOLINT(readability-identifier-naming): Eigen's name
 };

@@ -66,8 +66,8 @@ inline Lanes librarySine(const Lanes& x) {
 // Inlined by force: a call would be to code for the least of processors.
 template <class Number>
 [[gnu::always_inline]] inline Number sine(const Number& x) {
-  using namespace detail;
-  if (!allWithin(x, kFarthest)) return librarySine(x);
+  using detail::kHalfPi1, detail::kHalfPi2, detail::kHalfPi3;
+  if (!allWithin(x, detail::kFarthest)) return detail::librarySine(x);
   // Adding 1.5·2⁵² rounds to a whole number and leaves it in the last bits.
   constexpr double kRound = 0x1.8p52;
   constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
@@ -79,8 +79,8 @@ template <class Number>
   const Number rest = n * kHalfPi3 - ((rough - near) - second);
   const Number head = near - rest;
   const Number tail = (near - head) - rest;
-  return turnedByBit1(shifted,
-                      chosenByBit0(shifted, cosineNearZero(head, tail), sineNearZero(head, tail)));
+  return turnedByBit1(shifted, chosenByBit0(shifted, detail::cosineNearZero(head, tail),
+                                            detail::sineNearZero(head, tail)));
 }
 
 }  // namespace core

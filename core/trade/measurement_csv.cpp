@@ -7,16 +7,7 @@ namespace core {
 namespace {
 
 std::string outcomeOf(const MeasuredPoint& point) {
-  switch (point.status) {
-    case RunStatus::kRunning:
-      break;
-    case RunStatus::kDiverged:
-      return "diverged at " + numberText(point.reached);
-    case RunStatus::kEndless:
-    case RunStatus::kStalled:
-      return "stopped at " + numberText(point.reached);
-  }
-  return "ok";
+  return point.isComplete() ? "ok" : "diverged at " + numberText(point.reached);
 }
 
 }  // namespace

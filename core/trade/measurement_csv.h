@@ -7,9 +7,8 @@
 namespace core {
 
 /// All points as CSV, with a header line; see core/recording/csv.h for the form of numbers.
-/// Outcome: "ok", "diverged at TIME", or where a step held more events than can be followed
-/// or the tolerance asked for more steps than can be taken,
-/// "stopped at TIME", TIME in s.
+/// Outcome: "ok", or "diverged at TIME" with the last good moment [s], whether numbers, events
+/// or an adaptive method's steps got out of hand.
 std::string measurementCsv(const Measurement& measurement);
 
 }  // namespace core

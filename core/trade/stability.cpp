@@ -9,7 +9,7 @@
 namespace core {
 namespace {
 
-/// Weight-steps all trials together may take.
+/// Weight-steps and events all trials together may take.
 constexpr std::int64_t kMostWork = 4'000'000;
 constexpr int kBisections = 6;
 
@@ -30,7 +30,11 @@ class Trials {
     }
     while (run.time() < m_until) {
       m_left -= workPerStep;
-      if (run.advance() == RunStatus::kRunning) continue;
+      if (m_left < 0) return false;
+      if (run.advance() == RunStatus::kRunning) {
+        m_left -= static_cast<std::int64_t>(run.stepEvents().size());
+        continue;
+      }
       // A step that never ends takes seconds to be given up.
       if (run.status() == RunStatus::kEndless) m_left -= kMostWork / 4;
       return false;

@@ -13,7 +13,8 @@ namespace core {
 ///
 /// After impacts errors may grow like e^(λt), and from some moment on no computation in double
 /// precision knows the answer. The reference solution is therefore computed twice, at two
-/// tolerances, and trusted while the two agree.
+/// tolerances and from starts that differ in the last digit (where nothing bends the paths,
+/// rounding is all there is to grow), and trusted while the two agree.
 struct TrustedCourse {
   SampleTimes times;
   SampledCourse course;    ///< by the finer tolerance, up to the last moment that is trusted

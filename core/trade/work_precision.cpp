@@ -12,14 +12,25 @@ namespace {
 /// reference solutions is better than the two agree.
 constexpr double kClear = 2;
 
+/// Those that came to the end and took some time to compute.
+std::vector<MeasuredPoint> completePoints(const MethodCurve& curve) {
+  std::vector<MeasuredPoint> points;
+  std::ranges::copy_if(curve.points, std::back_inserter(points), [](const MeasuredPoint& point) {
+    return point.isComplete() && point.nanosecondsPerSimulatedSecond > 0;
+  });
+  return points;
+}
+
 /// Between two values, straight on log–log paper.
 double between(double a, double b, double share) {
   return std::exp((1 - share) * std::log(a) + share * std::log(b));
 }
 
 Reach interpolated(const MeasuredPoint& coarse, const MeasuredPoint& fine, double error) {
-  const double share = std::log(coarse.maxPositionError / error) /
-                       std::log(coarse.maxPositionError / fine.maxPositionError);
+  const double share = fine.maxPositionError == 0
+                           ? 1
+                           : std::log(coarse.maxPositionError / error) /
+                                 std::log(coarse.maxPositionError / fine.maxPositionError);
   return {Reach::Source::kInterpolated,
           between(settingOf(coarse.solver), settingOf(fine.solver), share),
           between(coarse.nanosecondsPerSimulatedSecond, fine.nanosecondsPerSimulatedSecond, share)};
@@ -52,11 +63,8 @@ double effectiveStep(const Measurement& measurement, const MeasuredPoint& point)
 }
 
 std::vector<MeasuredPoint> chartedPoints(const MethodCurve& curve) {
-  std::vector<MeasuredPoint> points;
-  std::ranges::copy_if(curve.points, std::back_inserter(points), [](const MeasuredPoint& point) {
-    return point.isComplete() && point.maxPositionError > 0 &&
-           point.nanosecondsPerSimulatedSecond > 0;
-  });
+  std::vector<MeasuredPoint> points = completePoints(curve);
+  std::erase_if(points, [](const MeasuredPoint& point) { return point.maxPositionError == 0; });
   return points;
 }
 
@@ -69,7 +77,7 @@ std::optional<ErrorLaw> errorLawOf(const Measurement& measurement, const MethodC
 }
 
 std::optional<Reach> reach(const Measurement& measurement, const MethodCurve& curve, double error) {
-  std::vector<MeasuredPoint> points = chartedPoints(curve);
+  std::vector<MeasuredPoint> points = completePoints(curve);
   if (points.empty() || error < measurement.uncertainty) return std::nullopt;
   // Finer settings than the best only gather more rounding.
   points.erase(std::ranges::min_element(points, {}, &MeasuredPoint::maxPositionError) + 1,

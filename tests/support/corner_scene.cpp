@@ -1,9 +1,13 @@
 #include "tests/support/corner_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <numbers>
 
+#include "core/run/run.h"
 #include "core/scene/scene_limits.h"
+#include "tests/support/processor_time.h"
 
 namespace tests {
 namespace {
@@ -27,6 +31,42 @@ class Choices {
  private:
   int m_bits;
 };
+
+constexpr double kLongest = 60;  // [s] of processor time
+
+/// How far the discs reach into walls at most [m].
+double farthestOutside(const core::Run& run) {
+  const core::Scene& scene = run.scene();
+  const Eigen::Vector2d room(scene.room.width, scene.room.height);
+  double farthest = 0;
+  for (int i = 0; i < run.weightCount(); ++i) {
+    const Eigen::Vector2d place = run.weight(i).position;
+    farthest =
+        std::max(farthest, scene.weights[i].radius - place.cwiseMin(room - place).minCoeff());
+  }
+  return farthest;
+}
+
+/// How far discs reach into each other at most, as a share of the radii.
+double deepestOverlap(const core::Run& run) {
+  const std::vector<Weight>& weights = run.scene().weights;
+  double deepest = 0;
+  for (int i = 0; i < run.weightCount(); ++i)
+    for (int j = 0; j < i; ++j) {
+      const double distance = (run.weight(i).position - run.weight(j).position).norm();
+      deepest = std::max(deepest, 1 - distance / (weights[i].radius + weights[j].radius));
+    }
+  return deepest;
+}
+
+bool isFinite(const core::Run& run) {
+  for (int i = 0; i < run.weightCount(); ++i) {
+    const core::WeightState state = run.weight(i);
+    if (!state.position.allFinite() || !state.velocity.allFinite()) return false;
+  }
+  const core::Energies energies = run.energies();
+  return std::isfinite(energies.mechanical()) && std::isfinite(energies.numericalDrift);
+}
 
 }  // namespace
 
@@ -52,10 +92,8 @@ core::Scene cornerScene(int corner) {
 
   Weight onRope = model, onRod = model, fromWest = model, fromEast = model, lying = model,
          falling = model;
-  onRope.rope = Rope{.pivot = {0.25 * size, 0.8 * size},
-                     .length = length,
-                     .angle = 1,
-                     .angularVelocity = turning};
+  onRope.rope = Rope{
+      .pivot = {0.25 * size, 0.8 * size}, .length = length, .angle = 1, .angularVelocity = turning};
   onRod.rope = Rope{.pivot = {0.75 * size, 0.8 * size},
                     .length = length,
                     .angle = std::numbers::pi,
@@ -71,6 +109,23 @@ core::Scene cornerScene(int corner) {
   falling.position = {0.5 * size + 0.3 * model.radius, 0.2 * size};
   scene.weights = {onRope, onRod, fromWest, fromEast, lying, falling};
   return scene;
+}
+
+std::string faultAtCorner(int corner, const core::Solver& solver, int steps) {
+  const auto scene = std::make_shared<const core::Scene>(cornerScene(corner));
+  const std::vector<core::Problem> problems = core::problemsIn(*scene);
+  if (!problems.empty()) return core::messageFor(problems.front());
+  const double start = processorTime();
+  core::Run run(scene, solver);
+  for (int i = 0; i < steps && run.advance() == core::RunStatus::kRunning; ++i)
+    if (processorTime() - start > kLongest) return "takes too long";
+  if (!isFinite(run)) return "numbers that are not finite";
+  const double outside = farthestOutside(run);
+  if (outside > 1e-6 + 1e-11 * scene->room.width)
+    return core::numberText(outside) + " m outside the room";
+  const double overlap = deepestOverlap(run);
+  if (overlap > 0.01) return "an overlap of " + core::numberText(overlap) + " of the radii";
+  return {};
 }
 
 }  // namespace tests

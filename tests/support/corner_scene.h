@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "core/scene/scene.h"
 
 namespace tests {
@@ -17,5 +19,14 @@ constexpr int kCornerChoices = 12;
 /// @param corner  0 to 2^kCornerChoices − 1
 /// @post problemsIn() finds nothing wrong with it
 core::Scene cornerScene(int corner);
+
+/// Takes up to `steps` steps of the scene at that corner and looks whether every number stays
+/// finite, every weight in the room (to 10⁻⁶ m, or what rounding leaves of a place in the
+/// largest rooms) and apart from the others (to a hundredth of the radii: one of 10⁹ kg lies on
+/// one of 10⁻⁶ kg), and whether it takes less than a minute of processor time. A run that
+/// ends with a status that says why counts as sound.
+///
+/// @return  what is wrong, in words; empty if nothing is
+std::string faultAtCorner(int corner, const core::Solver& solver, int steps);
 
 }  // namespace tests

@@ -32,10 +32,11 @@ std::array<QRectF, 8> placesBeside(const QPointF& point, const QSizeF& size, dou
           at(-gap - w, gap), at(-gap - w, -h - gap), at(-w / 2, gap),   at(-w / 2, -gap - h)};
 }
 
-double badness(const QRectF& place, const QRectF& area, const std::vector<QPointF>& probes,
-               const std::vector<QRectF>& taken) {
+double badness(const QRectF& place, double gap, const QRectF& area,
+               const std::vector<QPointF>& probes, const std::vector<QRectF>& taken) {
   double sum = area.contains(place) ? 0 : kOutside;
-  for (const QPointF& probe : probes) sum += place.contains(probe) ? 1 : 0;
+  const QRectF kept = place.adjusted(-gap / 2, -gap / 2, gap / 2, gap / 2);
+  for (const QPointF& probe : probes) sum += kept.contains(probe) ? 1 : 0;
   for (const QRectF& other : taken) sum += place.intersects(other) ? kOnLabel : 0;
   return sum;
 }
@@ -51,7 +52,7 @@ std::vector<QRectF> labelPlaces(const std::vector<LabelledCurve>& curves, const 
     double least = INFINITY;
     for (auto point = curve.points.rbegin(); point != curve.points.rend(); ++point) {
       for (const QRectF& place : placesBeside(*point, curve.label, gap)) {
-        const double bad = badness(place, area, probes, places);
+        const double bad = badness(place, gap, area, probes, places);
         if (bad >= least) continue;
         best = place;
         least = bad;

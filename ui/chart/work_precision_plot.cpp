@@ -124,13 +124,15 @@ void WorkPrecisionPlot::showGuide(int slope) {
   const QPointF middle = m_extent.center();
   const double half = std::min(m_extent.width(), m_extent.height() / slope) / 2;
   auto* guide = new QLineSeries;
-  const std::vector<QPointF> ends{middle + QPointF(half, half * slope),
-                                  middle - QPointF(half, half * slope)};
-  for (const QPointF& end : ends) *guide << end;
+  std::vector<QPointF> places;
+  for (const double share : {1.0, 0.75, 0.5, -0.25, -0.5, -0.75, -1.0}) {
+    places.push_back(middle + share * QPointF(half, half * slope));
+  }
+  *guide << places.front() << places.back();
   m_frame->add(guide);
   const QColor color = m_frame->look().theme.faintText;
   guide->setPen(QPen(color, 1.5, Qt::DashLine));
-  addLabel(tr("slope %1").arg(slope), color, ends);
+  addLabel(tr("slope %1").arg(slope), color, std::move(places));
 }
 
 void WorkPrecisionPlot::addLabel(const QString& words, const QColor& color,

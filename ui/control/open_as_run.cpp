@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/methods/method.h"
 #include "core/scene/scene_limits.h"
 #include "core/trade/settings.h"
 #include "ui/control/scene_editor.h"
@@ -20,6 +21,10 @@ int openAsRun(SceneEditor& editor, const core::Solver& solver) {
       draft.solvers.pop_back();
     }
     draft.solvers.push_back(solver);
+    // Measured with a long one; on screen its steps are what is shown one by one.
+    if (core::findMethod(solver.method)->isAdaptive) {
+      draft.solvers.back().step = core::Solver().step;
+    }
   });
   return static_cast<int>(editor.draft().solvers.size()) - 1;
 }

@@ -103,6 +103,7 @@ QString boundedStepWords(const std::vector<core::BoundedStep>& steps, double unt
 }
 
 QString foundWords(const core::Measurement& measurement, double error) {
+  if (measurement.until <= 0) return Words::tr("No time was simulated.");
   QStringList needs;
   for (const core::MethodCurve& curve : measurement.curves) {
     needs << neededWords(measurement, curve, error);

@@ -25,7 +25,7 @@ void MeasurementCsvTest::writesOneRowForEachPoint() {
                       "nanoseconds_per_simulated_second,outcome\r\n"
                       "rk4,0.125,80,640,1.5e-07,0.25,1234.5,ok\r\n"
                       "rk4,0.3333333333333333,80,640,1.5e-07,0.25,1234.5,diverged at 2.5\r\n"
-                      "rk4,0.3333333333333333,80,640,1.5e-07,0.25,1234.5,stopped at 2.5\r\n"));
+                      "rk4,0.3333333333333333,80,640,1.5e-07,0.25,1234.5,diverged at 2.5\r\n"));
 }
 
 QTEST_APPLESS_MAIN(MeasurementCsvTest)

@@ -41,6 +41,8 @@ class WorkPrecisionTest : public QObject {
   void findsNothingWhereTheErrorFollowsNoLaw();
   void findsNothingBelowTheUncertainty();
   void doesNotTrustALuckyPoint();
+  void isNotMisledByRounding();
+  void whatIsExactNeedsNoFinerStep();
   void leavesOutWhatDiverged();
 };
 
@@ -87,6 +89,24 @@ void WorkPrecisionTest::doesNotTrustALuckyPoint() {
   const auto reached = core::reach({}, curve, std::pow(0.1, 4));
   QVERIFY(reached);
   compare(reached->setting, 0.1);
+}
+
+void WorkPrecisionTest::isNotMisledByRounding() {
+  MethodCurve curve = orderFour(6);
+  curve.points[5].maxPositionError = 1;
+  const auto reached = core::reach({}, curve, std::pow(0.1, 4));
+  QVERIFY(reached);
+  QCOMPARE(reached->source, Reach::Source::kInterpolated);
+  compare(reached->setting, 0.1);
+}
+
+void WorkPrecisionTest::whatIsExactNeedsNoFinerStep() {
+  MethodCurve curve = orderFour(3);
+  curve.points[2].maxPositionError = 0;
+  QCOMPARE(core::reach({}, curve, 1e-9)->setting, 0.125);
+  QCOMPARE(core::chartedPoints(curve).size(), std::size_t{2});
+  for (core::MeasuredPoint& point : curve.points) point.maxPositionError = 0;
+  QCOMPARE(core::reach({}, curve, 1e-9)->source, Reach::Source::kCoarsest);
 }
 
 void WorkPrecisionTest::leavesOutWhatDiverged() {

@@ -76,6 +76,7 @@ class TradeWindowTest : public QObject {
   void aRowOpensAsARun();
   void aPointOpensAsARun();
   void takesThePlaceOfTheLastRunWhereNoMoreFit();
+  void anAdaptiveMethodOpensWithItsTolerance();
   void exportsChartAndTable();
   void canBeCancelled();
   void forgetsAMeasurementOfAnotherScene();
@@ -164,6 +165,19 @@ void TradeWindowTest::takesThePlaceOfTheLastRunWhereNoMoreFit() {
   QCOMPARE(opened.window.controller()->runCount(), 4);
   QCOMPARE(opened.window.controller()->run(2).solver().step, 0.1);
   QCOMPARE(opened.window.controller()->run(3).solver().step, 0.3);
+}
+
+void TradeWindowTest::anAdaptiveMethodOpensWithItsTolerance() {
+  Opened opened;
+  const core::Solver measured = core::measuredSolvers().back();
+  QVERIFY(core::findMethod(measured.method)->isAdaptive);
+  emit opened.trade->accuracy()->picked(measured);
+  emit opened.trade->accuracy()->picked(measured);
+  QCOMPARE(opened.window.controller()->runCount(), 3);
+  const core::Solver& running = opened.window.controller()->run(2).solver();
+  QCOMPARE(running.method, measured.method);
+  QCOMPARE(running.tolerance, measured.tolerance);
+  QCOMPARE(running.step, core::Solver().step);
 }
 
 void TradeWindowTest::exportsChartAndTable() {
