@@ -20,6 +20,7 @@ MainMenu::MainMenu(QMenuBar* bar, const Commands& commands) : QObject(bar) {
   addFileMenu(bar, commands);
   addRunMenu(bar, commands);
   addViewMenu(bar, commands);
+  addChartMenu(bar, commands);
   addHelpMenu(bar, commands);
 }
 
@@ -71,6 +72,14 @@ void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {
       m_view, commands,
       {Command::kSplit, Command::kTrails, Command::kFit, Command::kZoomIn, Command::kZoomOut});
   m_view->addSeparator();
+}
+
+void MainMenu::addChartMenu(QMenuBar* bar, const Commands& commands) {
+  QMenu* chart = bar->addMenu(tr("&Chart"));
+  addCommands(chart, commands, {Command::kNextChart, Command::kPreviousChart});
+  chart->addSeparator();
+  addCommands(chart, commands,
+              {Command::kChartReset, Command::kCopyChart, Command::kCopyChartData});
 }
 
 void MainMenu::addHelpMenu(QMenuBar* bar, const Commands& commands) {

@@ -1,7 +1,5 @@
 #include "ui/main_window.h"
 
-#include <algorithm>
-
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -26,8 +24,8 @@
 #include "ui/control/settings.h"
 #include "ui/control/time_commands.h"
 #include "ui/main_menu.h"
+#include "ui/panels/charts_panel.h"
 #include "ui/panels/comparison_panel.h"
-#include "ui/panels/energy_panel.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/help_dialogs.h"
 #include "ui/panels/message_bar.h"
@@ -49,9 +47,8 @@ namespace ui {
 namespace {
 
 constexpr QSize kFirstSize(1600, 900);
-constexpr int kLeastChartHeight = 260;
-constexpr double kChartShare = 0.36;  // of the window's height
-constexpr int kMessageTime = 6000;    // ms
+constexpr double kChartShare = 0.4;  // of the height that scene and chart have together
+constexpr int kMessageTime = 6000;   // ms
 
 /// As high as its form if there is room; where there is not, it scrolls rather than squeezes.
 class FormArea : public QScrollArea {
@@ -83,9 +80,9 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
       m_files(new SceneFiles(m_editor, file, this)),
       m_view(new SceneArea),
       m_playback(new PlaybackBar(*m_commands)),
-      m_energy(new EnergyPanel(m_controller)) {
+      m_charts(new ChartsPanel(m_controller, *m_commands)) {
   m_exports = new Exports(
-      m_controller, [this] { return m_energy->chosenRuns(); }, this);
+      m_controller, [this] { return m_charts->picture(); }, this);
   m_appearance->setChoice(Settings().theme());
   setWindowIcon(icon("angrycuts"));
   const QSize available = screen()->availableSize();
@@ -132,12 +129,12 @@ void MainWindow::buildPanels() {
   // The methods are what the program is about: never scrolled away with two runs.
   runsArea->setMinimumHeight(runsArea->sizeHint().height());
   QDockWidget* runs = addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), runsArea);
-  QDockWidget* energy = addPanel(Qt::BottomDockWidgetArea, "energy", tr("Energy"), m_energy);
+  QDockWidget* charts = addPanel(Qt::BottomDockWidgetArea, "charts", tr("Charts"), m_charts);
   auto* comparison = new ComparisonPanel(m_controller);
   QDockWidget* compared =
       addPanel(Qt::BottomDockWidgetArea, "comparison", tr("Comparison"), comparison);
   compared->setTitleBarWidget(new PanelTitle(compared, comparison->chooser()));
-  tabifyDockWidget(energy, compared);
+  tabifyDockWidget(charts, compared);
   auto* step = new StepPanel(m_controller);
   QDockWidget* opened = addPanel(Qt::BottomDockWidgetArea, "step", tr("Inside a step"), step);
   opened->setTitleBarWidget(new PanelTitle(opened, step->choosers()));
@@ -149,20 +146,22 @@ void MainWindow::buildPanels() {
   auto* eventsPanel = new EventsPanel(m_controller, m_events);
   QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
   tabifyDockWidget(scene, weights);
-  tabifyDockWidget(energy, events);
+  tabifyDockWidget(charts, events);
   // Their tabs are their titles.
   for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
-  energy->setTitleBarWidget(new PanelTitle(energy, m_energy->chooser()));
+  charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
   events->setTitleBarWidget(new PanelTitle(events, eventsPanel->filters()));
   scene->raise();
-  energy->raise();
+  charts->raise();
 }
 
-/// The scene gets most of the window, and the chart what it needs to be read.
+/// As the user left them, else so that scene and chart share their height.
 void MainWindow::sizePanels() {
-  const int chartHeight = std::max(kLeastChartHeight, static_cast<int>(height() * kChartShare));
-  resizeDocks({findChild<QDockWidget*>("energy")}, {chartHeight}, Qt::Vertical);
+  if (restoreState(Settings().panels())) return;
+  auto* charts = findChild<QDockWidget*>("charts");
+  const int shared = m_view->height() + charts->height();
+  resizeDocks({charts}, {static_cast<int>(shared * kChartShare)}, Qt::Vertical);
   auto* runs = findChild<QDockWidget*>("runs");
   resizeDocks({runs}, {runs->sizeHint().height()}, Qt::Vertical);
 }
@@ -332,6 +331,7 @@ void MainWindow::showTrade() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(m_files->mayLeaveScene());
+  if (event->isAccepted()) Settings().setPanels(saveState());
 }
 
 }  // namespace ui

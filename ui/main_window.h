@@ -11,8 +11,8 @@ class QLabel;
 namespace ui {
 
 class Appearance;
+class ChartsPanel;
 class Commands;
-class EnergyPanel;
 class EventNavigator;
 class Exports;
 class FrameTicker;
@@ -25,7 +25,7 @@ class SceneEditor;
 class SceneFiles;
 class TradeWindow;
 
-/// The window: the scene in the middle, forms at its side, the energy chart below. Puts the
+/// The window: the scene in the middle, forms at its side, charts below. Puts the
 /// parts together and passes on what they say; each part does its own work.
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -43,6 +43,7 @@ class MainWindow : public QMainWindow {
   SceneFiles* files() const { return m_files; }
   Exports* exports() const { return m_exports; }
   const Commands& commands() const { return *m_commands; }
+  ChartsPanel* charts() const { return m_charts; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -82,7 +83,7 @@ class MainWindow : public QMainWindow {
   MainMenu* m_menu;
   SceneArea* m_view;
   PlaybackBar* m_playback;
-  EnergyPanel* m_energy;
+  ChartsPanel* m_charts;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "core/motion/energy.h"
+#include "core/recording/even_series.h"
 
 namespace core {
 
@@ -14,13 +14,11 @@ struct EnergySample {
   Energies energies;
 };
 
-/// Energies of a run over time, in bounded memory: when full, every other sample of the
-/// whole past is dropped and from then on only every second, fourth, … offered one is kept,
-/// so a run of any length is covered evenly. First and latest are always there.
+/// Energies of a run over time, in bounded memory that covers a run of any length evenly.
 class Ledger {
  public:
   /// @param most  samples kept, ≥ 4
-  explicit Ledger(std::size_t most = 40000) : m_most(most) {}
+  explicit Ledger(std::size_t most = 40000) : m_series(most) {}
 
   void append(const EnergySample& sample);
   void clear();
@@ -28,21 +26,17 @@ class Ledger {
   void dropAfter(double time);
 
   /// In time order.
-  std::span<const EnergySample> samples() const { return m_samples; }
+  std::span<const EnergySample> samples() const { return m_series.samples(); }
+  const EvenSeries<EnergySample>& series() const { return m_series; }
   /// Largest accounted energy so far [J]: the top of an energy axis. Samples that are no
   /// longer kept count, until dropAfter() forgets some.
   double highest() const { return m_highest; }
 
  private:
   void raiseHighest(const EnergySample& sample);
-  void thinByHalf();
 
-  std::size_t m_most;
-  std::size_t m_stride = 1;      // offered samples per kept one
-  std::size_t m_offered = 0;     // since the last kept one
-  bool m_latestIsExtra = false;  // the last sample stands only until the next is offered
+  EvenSeries<EnergySample> m_series;
   double m_highest = 0;
-  std::vector<EnergySample> m_samples;
 };
 
 }  // namespace core

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <iterator>
+#include <memory>
 
 namespace core {
 
@@ -14,6 +15,7 @@ void Recording::start(const Run& run) {
   m_ledger.clear();
   m_events.clear();
   m_ledger.append({run.time(), run.energies()});
+  m_motion.start(run);
   keep(run);
 }
 
@@ -22,6 +24,7 @@ void Recording::record(const Run& run) {
   m_lastStep = run.stepCount();
   m_ledger.append({run.time(), run.energies()});
   m_events.append(run.stepEvents());
+  m_motion.append(run);
   if ((m_lastStep - m_firstStep) % m_stride == 0) keep(run);
 }
 
@@ -63,6 +66,7 @@ void Recording::forgetAfter(const Run& run) {
     m_stateBytes -= it->second.bytes();
   std::erase_if(m_cuts, [step](const HandCut& cut) { return cut.step > step; });
   m_ledger.dropAfter(run.time());
+  m_motion.dropAfter(run.time());
   // Of what happened at just this moment only the end of the latest step stays: cuts by hand
   // are listed with the coming step, and what they led to comes anew.
   m_events.dropFrom(run.time());
@@ -102,6 +106,18 @@ std::int64_t Recording::keptStepBefore(std::int64_t step) const {
 std::map<std::int64_t, RunState>::const_iterator Recording::keptBefore(std::int64_t step) const {
   const auto from = m_states.lower_bound(step);
   return from == m_states.begin() ? from : std::prev(from);
+}
+
+void Recording::follow(const Run& run, int weight) {
+  if (m_motion.track(weight) != nullptr) return;
+  Run past(std::make_shared<const Scene>(run.scene()), run.solver());
+  std::vector<MotionSample> samples;
+  samples.reserve(m_states.size());
+  for (const auto& [step, state] : m_states) {
+    past.restore(state);
+    samples.push_back({past.time(), past.weight(weight)});
+  }
+  m_motion.follow(weight, samples);
 }
 
 void Recording::repeatCuts(Run& run) const {

@@ -7,13 +7,14 @@
 
 #include "core/recording/event_log.h"
 #include "core/recording/ledger.h"
+#include "core/recording/motion_log.h"
 #include "core/run/run.h"
 #include "core/run/run_state.h"
 
 namespace core {
 
-/// History of one run in bounded memory: its energies, its events, and enough states to
-/// restore every recorded step exactly.
+/// History of one run in bounded memory: its energies, its events, how weights move, and
+/// enough states to restore every recorded step exactly.
 ///
 /// States are kept every so many steps; when they outgrow the budget every other one is
 /// dropped. A step between two of them is restored by taking the steps from the earlier
@@ -59,11 +60,17 @@ class Recording {
   /// The step that beginRestore() starts from: before `step` unless that is the first.
   std::int64_t keptStepBefore(std::int64_t step) const;
 
+  /// Lets motion() tell about this weight too: from now on at every step, about the past
+  /// as far as states of it are kept.
+  /// @param run  the recorded one
+  void follow(const Run& run, int weight);
+
   std::int64_t firstStep() const { return m_firstStep; }
   std::int64_t lastStep() const { return m_lastStep; }
 
   const Ledger& ledger() const { return m_ledger; }
   const EventLog& eventLog() const { return m_events; }
+  const MotionLog& motion() const { return m_motion; }
 
  private:
   struct HandCut {
@@ -85,6 +92,7 @@ class Recording {
   std::vector<HandCut> m_cuts;
   Ledger m_ledger;
   EventLog m_events;
+  MotionLog m_motion;
 };
 
 }  // namespace core

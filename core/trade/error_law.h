@@ -4,9 +4,15 @@
 #include <optional>
 #include <span>
 
-#include "core/recording/thinning.h"
-
 namespace core {
+
+/// One point of a curve.
+struct CurvePoint {
+  double x;
+  double y;
+
+  bool operator==(const CurvePoint&) const = default;
+};
 
 /// How the error of a method falls with its step, as the step becomes small:
 /// error → factor · step^order. A straight line on log–log paper.

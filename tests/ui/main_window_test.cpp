@@ -378,7 +378,7 @@ void MainWindowTest::offersTheEndingOfTheChosenKind() {
     dialog->findChild<QLineEdit*>()->setText("asked");
     QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
   });
-  QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+  QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
   QVERIFY(QFile::exists(inFolder("asked.png")));
 }
 

@@ -54,18 +54,22 @@ void paint(QChart& chart, QPaintDevice& device, const QRectF& target) {
   chart.scene()->render(&painter, target, chart.sceneBoundingRect());
 }
 
-QByteArray png(QChart& chart, const QString&, QSizeF size) {
-  const QSizeF pixels = size * kPngDotsPerInch / kMillimetersPerInch;
-  QImage image(pixels.toSize(), QImage::Format_RGB32);
+QImage pixels(QChart& chart, QSizeF size) {
+  const QSizeF count = size * kPngDotsPerInch / kMillimetersPerInch;
+  QImage image(count.toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);
   paint(chart, image, image.rect());
   // Only now: with it the painter would enlarge type that the scene enlarges already.
   image.setDotsPerMeterX(qRound(1000 * kPngDotsPerInch / kMillimetersPerInch));
   image.setDotsPerMeterY(image.dotsPerMeterX());
+  return image;
+}
+
+QByteArray png(QChart& chart, const QString&, QSizeF size) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  image.save(&buffer, "PNG");
+  pixels(chart, size).save(&buffer, "PNG");
   return bytes;
 }
 
@@ -96,6 +100,12 @@ QByteArray pdf(QChart& chart, const QString& title, QSizeF size) {
   return bytes;
 }
 
+void layOut(QChart& chart, QSizeF size) {
+  chart.resize(paperSize(size));
+  chart.layout()->activate();
+  paintCurvesWhole(chart);
+}
+
 QString writeWhole(const QString& file, const QByteArray& bytes) {
   QSaveFile target(file);
   const bool written =
@@ -114,10 +124,13 @@ QString writeChart(QChart& chart, const QString& file, const QString& title, QSi
   if (encoded == nullptr) {
     return Words::tr("Cannot write %1: a chart's file ends in .png, .svg or .pdf").arg(file);
   }
-  chart.resize(paperSize(size));
-  chart.layout()->activate();
-  paintCurvesWhole(chart);
+  layOut(chart, size);
   return writeWhole(file, encoded(chart, title, size));
+}
+
+QImage chartImage(QChart& chart, QSizeF size) {
+  layOut(chart, size);
+  return pixels(chart, size);
 }
 
 }  // namespace ui

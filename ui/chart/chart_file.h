@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QSizeF>
 #include <QString>
 
@@ -16,5 +17,8 @@ namespace ui {
 /// @param size   in mm on paper
 /// @return       empty, or what went wrong in words
 QString writeChart(QChart& chart, const QString& file, const QString& title, QSizeF size);
+
+/// The same as pixels, at 300 dpi.
+QImage chartImage(QChart& chart, QSizeF size);
 
 }  // namespace ui

@@ -6,7 +6,6 @@
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QLegend>
-#include <QLineSeries>
 #include <QLocale>
 #include <QValueAxis>
 
@@ -14,15 +13,49 @@ namespace ui {
 
 namespace {
 
-void showScale(QValueAxis& axis, const NiceScale& scale, const QString& title) {
-  axis.setLabelFormat(QStringLiteral("%.%1f").arg(scale.decimals()));
+QString labelFormat(const NiceScale& ticks) {
+  return QStringLiteral("%.%1f").arg(ticks.decimals());
+}
+
+QString unitSuffix(const ScaledUnit& unit) {
+  return unit.symbol == QStringLiteral("°") ? unit.symbol : ' ' + unit.symbol;
+}
+
+/// From tick to tick.
+void showWhole(QValueAxis& axis, const NiceScale& scale, const QString& title) {
+  axis.setTickType(QValueAxis::TicksFixed);
+  axis.setLabelFormat(labelFormat(scale));
   axis.setTickCount(scale.tickCount());
   axis.setRange(scale.lowest, scale.highest);
   axis.setTitleText(title);
 }
 
+/// Between ticks, as a zoom leaves it.
+void showPart(QValueAxis& axis, const AxisScale& scale, const QString& title) {
+  axis.setLabelFormat(labelFormat(scale.ticks));
+  axis.setTitleText(title);
+  // In this order, or for a moment there would be millions of ticks.
+  axis.setTickType(QValueAxis::TicksFixed);
+  axis.setRange(scale.lowest, scale.highest);
+  axis.setTickAnchor(0);
+  axis.setTickInterval(scale.ticks.step);
+  axis.setTickType(QValueAxis::TicksDynamic);
+}
+
+void showScale(QValueAxis& axis, const AxisScale& scale, const QString& title) {
+  const bool endsOnTicks =
+      scale.lowest == scale.ticks.lowest && scale.highest == scale.ticks.highest;
+  if (endsOnTicks) {
+    showWhole(axis, scale.ticks, title);
+  } else {
+    showPart(axis, scale, title);
+  }
+}
+
 // Around everything, in multiples of the font's size.
 constexpr double kPadding = 0.7;
+// Of a heading beside the plot, in the same unit.
+constexpr double kWidthBeside = 19;
 
 }  // namespace
 
@@ -64,25 +97,14 @@ void ChartFrame::setHeading(HeadingContent content) {
   layOut();
 }
 
-void ChartFrame::setHorizontal(const NiceScale& scale, const QString& title) {
-  showScale(*m_horizontal, scale, title);
+void ChartFrame::setHorizontal(const AxisScale& scale, const QString& quantity) {
+  showScale(*m_horizontal, scale, m_isLow ? QString() : scale.title(quantity));
+  // Where height is scarce the unit at each number saves a line.
+  if (m_isLow) m_horizontal->setLabelFormat(labelFormat(scale.ticks) + unitSuffix(scale.unit));
 }
 
-void ChartFrame::setVertical(const NiceScale& scale, const QString& title) {
-  showScale(*m_vertical, scale, title);
-}
-
-QLineSeries* ChartFrame::addCurve(const QString& name) {
-  auto* curve = new QLineSeries;
-  curve->setName(name);
-  m_chart->addSeries(curve);
-  curve->attachAxis(m_horizontal);
-  curve->attachAxis(m_vertical);
-  return curve;
-}
-
-void ChartFrame::removeCurves() {
-  m_chart->removeAllSeries();
+void ChartFrame::setVertical(const AxisScale& scale, const QString& quantity) {
+  showScale(*m_vertical, scale, scale.title(quantity));
 }
 
 int ChartFrame::horizontalIntervals() const {
@@ -97,26 +119,49 @@ int ChartFrame::verticalIntervals() const {
   return std::clamp(static_cast<int>(labels), 1, 8);
 }
 
-QSizeF ChartFrame::unitSize() const {
-  const QSizeF size = plotSize();
-  return {size.width() / (m_horizontal->max() - m_horizontal->min()),
-          size.height() / (m_vertical->max() - m_vertical->min())};
-}
-
-/// Before the chart has laid itself out, from what stands around the plot.
+/// From what stands around the plot.
 QSizeF ChartFrame::plotSize() const {
-  constexpr QSizeF kAxes(5, 4);  // in multiples of the font's size
+  const QSizeF axes(5, m_isLow ? 2.4 : 4);  // in multiples of the font's size
   const QMarginsF margins = m_chart->margins();
-  return m_chart->size().shrunkBy(margins) - kAxes * m_look.font.pixelSize();
+  return m_chart->size().shrunkBy(margins) - axes * m_look.font.pixelSize();
 }
 
 void ChartFrame::layOut() {
-  const int padding = qRound(kPadding * m_look.font.pixelSize());
-  m_heading->setPos(padding, padding);
-  const double height = m_heading->layOut(m_chart->size().width() - 2 * padding);
+  m_isLow = putHeadingBeside();
+  if (!m_isLow) putHeadingAbove();
+}
+
+/// Where the chart is wide and low its height belongs to the plot.
+/// @return  whether there is room
+bool ChartFrame::putHeadingBeside() {
+  constexpr double kWide = 2.4;   // of the height
+  constexpr double kShare = 0.4;  // of the width, at most
+  const int em = m_look.font.pixelSize();
+  const QSizeF size = m_chart->size();
+  if (size.width() < kWide * size.height()) return false;
+  const int pad = padding();
+  const double width = std::min(kShare * size.width(), kWidthBeside * em);
+  const double height = m_heading->layOut(width);
+  if (height + 2 * pad > size.height()) return false;
+  m_heading->setPos(size.width() - width - pad, pad);
+  setMargins({pad, 3 * pad / 2, qRound(width) + 3 * pad, pad});
+  return true;
+}
+
+void ChartFrame::putHeadingAbove() {
+  const int pad = padding();
+  m_heading->setPos(pad, pad);
+  const double height = m_heading->layOut(m_chart->size().width() - 2 * pad);
   // On the right half a label stands out over the last tick.
-  const QMargins margins(padding, qRound(height) + 3 * padding / 2, 2 * padding, padding);
+  setMargins({pad, qRound(height) + 3 * pad / 2, 2 * pad, pad});
+}
+
+void ChartFrame::setMargins(const QMargins& margins) {
   if (m_chart->margins() != margins) m_chart->setMargins(margins);
+}
+
+int ChartFrame::padding() const {
+  return qRound(kPadding * m_look.font.pixelSize());
 }
 
 }  // namespace ui

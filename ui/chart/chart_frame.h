@@ -1,21 +1,21 @@
 #pragma once
 
+#include <QMargins>
 #include <QObject>
 #include <QSizeF>
 #include <QString>
 
 #include "ui/chart/chart_heading.h"
 #include "ui/chart/chart_look.h"
-#include "ui/chart/nice_scale.h"
+#include "ui/chart/chart_scales.h"
 
 class QChart;
-class QLineSeries;
 class QValueAxis;
 
 namespace ui {
 
 /// What every chart of ours has: two axes with titles and nice limits, a heading with a
-/// legend, and a look. Belongs to its chart as a child object.
+/// legend above or beside the plot, and a look. Belongs to its chart as a child object.
 class ChartFrame : public QObject {
   Q_OBJECT
 
@@ -27,18 +27,15 @@ class ChartFrame : public QObject {
   const ChartLook& look() const { return m_look; }
 
   void setHeading(HeadingContent content);
-  void setHorizontal(const NiceScale& scale, const QString& title);
-  void setVertical(const NiceScale& scale, const QString& title);
-
-  /// A new curve along both axes; belongs to the chart.
-  QLineSeries* addCurve(const QString& name);
-  void removeCurves();
+  const ChartHeading& heading() const { return *m_heading; }
+  void setHorizontal(const AxisScale& scale, const QString& quantity);
+  void setVertical(const AxisScale& scale, const QString& quantity);
 
   /// Most intervals between labels that have room at the present size.
   int horizontalIntervals() const;
   int verticalIntervals() const;
-  /// About the size of one unit of both axes [px].
-  QSizeF unitSize() const;
+  /// About the size of the plot, also before the chart has laid itself out [px].
+  QSizeF plotSize() const;
 
  signals:
   /// The chart has another size: other scales may fit better.
@@ -46,7 +43,10 @@ class ChartFrame : public QObject {
 
  private:
   void layOut();
-  QSizeF plotSize() const;
+  bool putHeadingBeside();
+  void putHeadingAbove();
+  void setMargins(const QMargins& margins);
+  int padding() const;
   QValueAxis* addAxis(Qt::Alignment side);
 
   QChart* m_chart;  // the parent
@@ -55,6 +55,7 @@ class ChartFrame : public QObject {
   QValueAxis* m_vertical;
   ChartHeading* m_heading;
   ChartLook m_look;
+  bool m_isLow = false;  // the heading stands beside the plot
 };
 
 }  // namespace ui

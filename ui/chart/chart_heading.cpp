@@ -99,8 +99,10 @@ void ChartHeading::placeEntry(const HeadingEntry& entry, double figuresX) {
   const auto place = [&](double x, double width) {
     return QRectF(x, m_bounds.bottom() - rowHeight(), width, rowHeight());
   };
-  m_pieces.push_back({place(m_rowEnd, labelWidth(entry)), &entry, entry.text, m_look.font,
-                      m_look.theme.text, kInRow});
+  QFont font = m_look.font;
+  font.setStrikeOut(entry.hidden);
+  const QColor color = entry.hidden ? m_look.theme.faintText : m_look.theme.text;
+  m_pieces.push_back({place(m_rowEnd, labelWidth(entry)), &entry, entry.text, font, color, kInRow});
   if (!entry.figures.isEmpty()) {
     const double needed = QFontMetricsF(m_look.font).horizontalAdvance(entry.figures);
     if (figuresX + needed > m_bounds.width()) {
@@ -136,6 +138,13 @@ double ChartHeading::figuresWidth(const HeadingEntry& entry) const {
 double ChartHeading::symbolWidth(const HeadingEntry& entry) const {
   const double mark = entry.mark.isValid() ? kMarkSize + kSmallGap : 0;
   return (mark + kLineLength + kSmallGap) * em();
+}
+
+const HeadingEntry* ChartHeading::entryAt(QPointF place) const {
+  const auto hit = std::ranges::find_if(m_pieces, [&](const Piece& piece) {
+    return piece.entry != nullptr && piece.place.contains(place);
+  });
+  return hit == m_pieces.end() ? nullptr : hit->entry;
 }
 
 void ChartHeading::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {

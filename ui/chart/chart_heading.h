@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <QGraphicsItem>
@@ -19,6 +20,9 @@ struct HeadingEntry {
   QString text;
   QString figures;
   QString widestFigures;  ///< room kept for them, so that nothing moves when they change
+  bool hidden = false;    ///< struck out: the reader has hidden what it stands for
+  QString key;            ///< of a legend's entry: the curves it stands for
+  std::size_t run = 0;    ///< of a run's entry
 };
 
 struct HeadingContent {
@@ -41,6 +45,9 @@ class ChartHeading : public QGraphicsItem {
   /// Breaks rows to fit the width [px] and returns the height they take [px]. To be called
   /// after a change of look or content.
   double layOut(double width);
+
+  /// The entry at a place, in coordinates of this item; null: none.
+  const HeadingEntry* entryAt(QPointF place) const;
 
   QRectF boundingRect() const override { return m_bounds; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;

@@ -28,6 +28,10 @@ struct EnergyExtent {
   /// Highest total of each run [J].
   std::vector<double> highestOfRun;
 
+  /// Until when each run has at most kMostGain times the energy it began with [s]: what
+  /// comes later must not press everything else flat. Infinite where it always has.
+  std::vector<double> soundUntil;
+
   /// Which energyQuantities() have anything to show.
   std::array<bool, kEnergyQuantityCount> shown = {};
 };
@@ -37,6 +41,21 @@ struct EnergyExtent {
 inline constexpr double kMostGain = 10;
 
 EnergyExtent extentOf(const std::vector<ChartedRun>& runs);
+
+/// The same for ledgers that grow: each call reads only what is new.
+class GrowingEnergyExtent {
+ public:
+  GrowingEnergyExtent();
+  ~GrowingEnergyExtent();
+  GrowingEnergyExtent(const GrowingEnergyExtent&) = delete;
+  GrowingEnergyExtent& operator=(const GrowingEnergyExtent&) = delete;
+
+  EnergyExtent of(const std::vector<ChartedRun>& runs);
+
+ private:
+  class Spans;  // of one run
+  std::vector<Spans> m_spans;
+};
 
 /// Whether every energy in it is a number.
 inline bool isFinite(const core::EnergySample& sample) {

@@ -41,6 +41,11 @@ bool isTooDenseForDashes(const QList<QPointF>& curve, QSizeF unit) {
   return pixelLength(curve, unit) > kLongestDashed;
 }
 
+bool isTooDenseForSmoothLines(const QList<QPointF>& curve, QSizeF unit) {
+  constexpr double kLongestSmooth = 30000;  // [px]
+  return pixelLength(curve, unit) > kLongestSmooth;
+}
+
 QPen densePen(const QColor& color) {
   return QPen(color, 1);
 }

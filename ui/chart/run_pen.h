@@ -18,6 +18,9 @@ QPen runPen(const QColor& color, double width, std::size_t run);
 /// @param unit  size of one unit along both axes [px]
 bool isTooDenseForDashes(const QList<QPointF>& curve, QSizeF unit);
 
+/// Whether it does so often that even a smooth solid line along it takes too long.
+bool isTooDenseForSmoothLines(const QList<QPointF>& curve, QSizeF unit);
+
 /// What to draw such a curve with instead: a thin solid line.
 QPen densePen(const QColor& color);
 

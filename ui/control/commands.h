@@ -45,6 +45,11 @@ enum class Command {
   kFit,
   kZoomIn,
   kZoomOut,
+  kNextChart,
+  kPreviousChart,
+  kChartReset,
+  kCopyChart,
+  kCopyChartData,
   kKeys,
   kAbout,
 };

@@ -6,9 +6,11 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
-#include "ui/chart/chart_export.h"
+#include "ui/chart/chart_kind.h"
+#include "ui/control/chart_size_dialog.h"
 #include "ui/control/file_dialog.h"
 #include "ui/control/run_controller.h"
+#include "ui/control/settings.h"
 #include "ui/files/ledger_file.h"
 #include "ui/view/scene_picture.h"
 
@@ -22,12 +24,12 @@ QStringList pictureKinds() {
 
 }  // namespace
 
-Exports::Exports(const RunController* controller, std::function<std::vector<ChartedRun>()> charted,
+Exports::Exports(const RunController* controller, std::function<ChartPicture()> chart,
                  QWidget* window)
-    : QObject(window), m_controller(controller), m_charted(std::move(charted)), m_window(window) {}
+    : QObject(window), m_controller(controller), m_chart(std::move(chart)), m_window(window) {}
 
-void Exports::saveChart(const QString& file) {
-  report(file, writeEnergyChart(file, m_charted(), {sceneName(), {}}));
+void Exports::saveChart(const QString& file, QSizeF size) {
+  report(file, writeChartPicture(file, m_chart(), {sceneName(), {}}, size));
 }
 
 void Exports::savePicture(const QString& file) {
@@ -39,9 +41,13 @@ void Exports::saveLedger(const QString& file, int run) {
 }
 
 void Exports::askAndSaveChart() {
-  const QString file = askWhereToSave(m_window, tr("Export energy chart"),
-                                      suggested(tr("energy"), "png"), pictureKinds());
-  if (!file.isEmpty()) saveChart(file);
+  const auto size = askChartSize(m_window, Settings().chartSize());
+  if (!size) return;
+  Settings().setChartSize(*size);
+  const QString kind = m_chart().kind->name().toLower();
+  const QString file =
+      askWhereToSave(m_window, tr("Export chart"), suggested(kind, "png"), pictureKinds());
+  if (!file.isEmpty()) saveChart(file, *size);
 }
 
 void Exports::askAndSavePicture() {

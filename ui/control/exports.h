@@ -1,13 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
 
-#include "ui/chart/charted_run.h"
+#include "ui/chart/chart_export.h"
 
 class QWidget;
 
@@ -20,12 +19,12 @@ class Exports : public QObject {
   Q_OBJECT
 
  public:
-  /// @param charted  the runs the chart shows at that moment
-  Exports(const RunController* controller, std::function<std::vector<ChartedRun>()> charted,
-          QWidget* window);
+  /// @param chart  the chart as it is looked at at that moment
+  Exports(const RunController* controller, std::function<ChartPicture()> chart, QWidget* window);
 
   // To a file of this name, whose ending names the kind.
-  void saveChart(const QString& file);
+  /// @param size  in mm on paper
+  void saveChart(const QString& file, QSizeF size = kUsualChartSize);
   void savePicture(const QString& file);
   void saveLedger(const QString& file, int run);
 
@@ -44,7 +43,7 @@ class Exports : public QObject {
   void report(const QString& file, const QString& error);
 
   const RunController* m_controller;
-  std::function<std::vector<ChartedRun>()> m_charted;
+  std::function<ChartPicture()> m_chart;
   QWidget* m_window;
 };
 

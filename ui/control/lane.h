@@ -19,6 +19,9 @@ class Lane {
   const core::Run& run() const { return m_run; }
   const core::Recording& recording() const { return m_recording; }
 
+  /// Lets the record tell how this weight moves.
+  void follow(int weight) { m_recording.follow(m_run, weight); }
+
   /// False once it stands where its numbers cannot go on.
   bool goesOn() const { return m_run.status() == core::RunStatus::kRunning; }
   /// End of the record [s].

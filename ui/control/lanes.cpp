@@ -14,6 +14,10 @@ Lanes::Lanes(const std::shared_ptr<const core::Scene>& scene) {
   m_separations.start(m_runs);
 }
 
+void Lanes::follow(int weight) {
+  for (const auto& lane : m_lanes) lane->follow(weight);
+}
+
 const Lane* Lanes::firstThatGoesOn() const {
   const auto first =
       std::ranges::find_if(m_lanes, &Lane::goesOn, &std::unique_ptr<Lane>::operator*);

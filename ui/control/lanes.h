@@ -24,6 +24,9 @@ class Lanes {
   /// Stays at one address.
   const Lane& operator[](int index) const { return *m_lanes[index]; }
 
+  /// Lets all recordings tell how this weight moves.
+  void follow(int weight);
+
   bool canGoOn() const { return firstThatGoesOn() != nullptr; }
   /// How far the runs are apart over time.
   const core::SeparationLog& separations() const { return m_separations; }

@@ -47,6 +47,10 @@ std::vector<const core::Run*> RunController::runs() const {
   return runs;
 }
 
+void RunController::follow(int weight) {
+  m_lanes.follow(weight);
+}
+
 double RunController::keptShare() const {
   return m_playing ? m_clock.keptShare() : 1;
 }

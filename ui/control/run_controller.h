@@ -53,6 +53,8 @@ class RunController : public QObject {
   std::vector<const core::Run*> runs() const;
   /// How far the runs are apart over time; lives as long as they do.
   const core::SeparationLog& separations() const { return m_lanes.separations(); }
+  /// Lets all recordings tell how this weight moves.
+  void follow(int weight);
 
   /// The moment shown [s]: inside the latest step of every run that still goes on.
   double time() const { return m_clock.time(); }

@@ -2,11 +2,16 @@
 
 #include <array>
 
+#include "ui/chart/chart_export.h"
+#include "ui/control/chart_size_dialog.h"
+
 namespace ui {
 namespace {
 
 const QString kPainterKey = QStringLiteral("painter");
 const QString kThemeKey = QStringLiteral("theme");
+const QString kChartSizeKey = QStringLiteral("chartSize");
+const QString kPanelsKey = QStringLiteral("panels");
 
 // In the order of the enumerations.
 const std::array kPainterWords{"automatic", "opengl", "qpainter"};
@@ -40,6 +45,23 @@ ThemeChoice Settings::theme() const {
 
 void Settings::setTheme(ThemeChoice choice) {
   m_store.setValue(kThemeKey, kThemeWords[static_cast<std::size_t>(choice)]);
+}
+
+QSizeF Settings::chartSize() const {
+  const QSizeF stored = m_store.value(kChartSizeKey).toSizeF();
+  return isChartSize(stored) ? stored : kUsualChartSize;
+}
+
+void Settings::setChartSize(QSizeF size) {
+  m_store.setValue(kChartSizeKey, size);
+}
+
+QByteArray Settings::panels() const {
+  return m_store.value(kPanelsKey).toByteArray();
+}
+
+void Settings::setPanels(const QByteArray& panels) {
+  m_store.setValue(kPanelsKey, panels);
 }
 
 }  // namespace ui

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QByteArray>
 #include <QSettings>
+#include <QSizeF>
 
 #include "ui/style/appearance.h"
 #include "ui/view/scene_view.h"
@@ -19,6 +21,14 @@ class Settings {
 
   ThemeChoice theme() const;
   void setTheme(ThemeChoice choice);
+
+  /// Of exported charts, in mm on paper.
+  QSizeF chartSize() const;
+  void setChartSize(QSizeF size);
+
+  /// Places and sizes of panels, as QMainWindow gives them; empty: the usual ones.
+  QByteArray panels() const;
+  void setPanels(const QByteArray& panels);
 
  private:
   QSettings m_store;

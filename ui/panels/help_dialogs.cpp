@@ -37,6 +37,10 @@ std::vector<Line> mouseLines() {
   return {{Words::tr("Wheel"), Words::tr("Zoom")},
           {Words::tr("Drag"), Words::tr("Move the view")},
           {Words::tr("Double click"), Words::tr("Fit the room")},
+          {Words::tr("Drag in a chart"), Words::tr("Zoom to a box")},
+          {Words::tr("Shift+drag in a chart"), Words::tr("Move what it shows")},
+          {Words::tr("+, −, 0 in a chart"), Words::tr("Zoom in, out, show all")},
+          {Words::tr("Alt+arrows in a chart"), Words::tr("Move what it shows")},
           {Words::tr("Return in a field"), Words::tr("Apply the value")},
           {Words::tr("Escape in a field"), Words::tr("Bring back the last value")}};
 }

@@ -22,6 +22,8 @@ class EnergyExtentTest : public QObject {
   void keepsTheFloorAsZeroForMovementsOfItsSize();
   void endsTheScaleWhereARunLeavesAllProportion();
   void ignoresWhatIsNoNumber();
+  void tellsUntilWhenARunIsSound();
+  void readsAGrowingLedgerToTheSameEnd();
 };
 
 void EnergyExtentTest::coversAllRuns() {
@@ -99,6 +101,34 @@ void EnergyExtentTest::ignoresWhatIsNoNumber() {
 
   QCOMPARE(extent.lastTime, 4.0);
   QCOMPARE(extent.highest, 3.0);
+}
+
+void EnergyExtentTest::tellsUntilWhenARunIsSound() {
+  const Ledger steady = sample_ledgers::swinging(4, 401);
+  const Ledger diverging = sample_ledgers::diverging();  // 1 + 2 · 2^t J
+  const EnergyExtent extent = extentOf({{&steady, "a"}, {&diverging, "b"}});
+  QCOMPARE(extent.soundUntil[0], std::numeric_limits<double>::infinity());
+  QCOMPARE(extent.soundUntil[1], 4.0);  // 33 J of 3
+}
+
+void EnergyExtentTest::readsAGrowingLedgerToTheSameEnd() {
+  const Ledger all = sample_ledgers::swinging(4, 401, 1862.3, 0.1);
+  Ledger growing(64);  // thinned on the way
+  Ledger grown(64);
+  const EnergyExtent whole = extentOf({{&all, "a"}});
+  ui::GrowingEnergyExtent extents;
+  for (const core::EnergySample& sample : all.samples()) {
+    growing.append(sample);
+    grown.append(sample);
+    const EnergyExtent extent = extents.of({{&growing, "a"}});
+    const EnergyExtent anew = extentOf({{&grown, "a"}});
+    QCOMPARE(extent.lastTime, anew.lastTime);
+    QVERIFY(extent.highest >= anew.highest);
+    QVERIFY(extent.highest + extent.offset <= whole.highest + whole.offset);
+    QCOMPARE(extent.offset, anew.offset);
+  }
+  growing.clear();
+  QCOMPARE(extents.of({{&growing, "a"}}).lastTime, 0.0);
 }
 
 QTEST_GUILESS_MAIN(EnergyExtentTest)

@@ -29,6 +29,8 @@ void RunPenTest::givesUpDashesOnlyWhereTheyAreTooMany() {
   for (int i = 0; i <= 90; ++i) curve.append(QPointF(1 + i / 90.0, 2 * (i % 2)));
   QVERIFY(ui::isTooDenseForDashes(curve, unit));  // a hundred times
   QVERIFY(!ui::isTooDenseForDashes(curve, unit / 10));
+  QVERIFY(!ui::isTooDenseForSmoothLines(curve, unit));
+  QVERIFY(ui::isTooDenseForSmoothLines(curve, 4 * unit));
 }
 
 QTEST_GUILESS_MAIN(RunPenTest)
