@@ -15,6 +15,12 @@ ContactTolerance toleranceFor(const Scene& scene) {
   return {1e-12 + rounding, 1e-12 + rounding};
 }
 
+/// A graze shallower than this may be overlooked [m]: a thousandth of what an adaptive method
+/// tolerates in a step.
+double closenessFor(double tolerance) {
+  return std::clamp(1e-3 * tolerance, 1e-10, 1e-6);
+}
+
 }  // namespace
 
 Engine::Engine(std::shared_ptr<const Scene> scene, Solver solver)
@@ -25,7 +31,7 @@ Engine::Engine(std::shared_ptr<const Scene> scene, Solver solver)
       m_batch(m_stepper.method(), m_scene->gravity),
       m_adaptiveStepper(m_stepper, m_solver.tolerance),
       m_tolerance(toleranceFor(*m_scene)),
-      m_foresight(*m_scene, m_tolerance) {
+      m_foresight(*m_scene, m_tolerance, closenessFor(m_solver.tolerance)) {
   m_now.weights.reserve(m_bodies.size());
   for (std::size_t i = 0; i < m_bodies.size(); ++i)
     m_now.weights.push_back(startRecord(m_scene->weights[i], m_bodies[i]));
@@ -237,7 +243,7 @@ bool Engine::isFinite(int index) const {
   // Nor where a weight is that crosses the room within the last digit of a time in the step.
   const double fastest = 1e15 * std::max(m_scene->room.width, m_scene->room.height) / m_solver.step;
   // Nor what a rope does that turns so often that looking at every turn would take minutes.
-  constexpr double kMostTurn = 1e5;
+  constexpr double kMostTurn = 2e4;
   if (turnWithin(piece, piece.begin, piece.end) > kMostTurn) return false;
   const double scale = isTethered(piece.mode) ? m_bodies[index].length : 1;
   return (piece.endState.abs() < kLargest).all() && (piece.endSlope.abs() < kLargest).all() &&

@@ -140,38 +140,6 @@ void Engine::goSlack(const Upcoming& event) {
   goOn(i, s, before, Mode::kFlight, freed(i, piece.mode, before));
 }
 
-void Engine::goTaut(const Upcoming& event) {
-  const int i = event.weight;
-  const Body& body = m_bodies[i];
-  const Piece piece = m_moving[i].piece;
-  const auto spare = [&](double at) {
-    const Entries state = m_stepper.partial(body, piece, at);
-    return body.length - (positionOf(body, piece.mode, state) - body.pivot).norm();
-  };
-  Entries before = piece.at(event.time);
-  double s = event.time;
-  if (s > piece.begin) {
-    const Eigen::Vector2d out = positionOf(body, piece.mode, before) - body.pivot;
-    const Eigen::Vector2d rate = piece.rateAt(s).head<2>().transpose();
-    const auto exact =
-        polished(s, piece.begin, piece.end, -rate.dot(out) / out.norm(), polishTolerance(), spare);
-    if (exact) {
-      s = *exact;
-      before = m_stepper.partial(body, piece, s);
-    }
-  }
-  const Eigen::Vector2d out = positionOf(body, piece.mode, before) - body.pivot;
-  const Eigen::Vector2d radial = out.normalized();
-  const Eigen::Vector2d track(-radial.y(), radial.x());
-  const Eigen::Vector2d velocity = velocityOf(body, piece.mode, before);
-  const double jerk = velocity.dot(radial);
-  Entries after;
-  after << std::atan2(out.x(), -out.y()), 0, velocity.dot(track) / body.length, 0, before[4];
-  log(EventKind::kTaut, s, i, readOut(i, piece.mode, true, before),
-      readOut(i, Mode::kSwing, true, after), 0.5 * body.mass * jerk * jerk);
-  goOn(i, s, before, Mode::kSwing, after);
-}
-
 void Engine::stopSliding(const Upcoming& event) {
   const int i = event.weight;
   const Piece piece = m_moving[i].piece;

@@ -13,8 +13,6 @@ constexpr double kArc = 0.12;
 // A flight with less sideways speed than this share of its change of vertical speed counts
 // as straight up.
 constexpr double kSteep = 0.05;
-// A path that is no cubic is cut until cubics are this close to it [m].
-constexpr double kClose = 1e-10;
 // An entry that may be zero, until they are this close in shares of its size.
 constexpr double kCloseShare = 1e-6;
 
@@ -65,13 +63,12 @@ std::optional<double> signChangeWithin(const Piece& piece, int index, double fro
   return momentOf(signChange(cubic), from, to);
 }
 
-/// The path is not to be taken for the cubic through both ends.
-bool isCoarse(const Body& body, const Piece& piece, double from, double to) {
-  if (piece.polynomial) return departure(body, piece, from, to) > kClose;
+}  // namespace
+
+bool Foresight::isCoarse(const Body& body, const Piece& piece, double from, double to) const {
+  if (piece.polynomial) return departure(body, piece, from, to) > m_closeness;
   return turnWithin(piece, from, to) > kArc;
 }
-
-}  // namespace
 
 std::optional<Foresight::Moment> Foresight::meeting(const Body& a, const Piece& pieceA,
                                                     const Body& b, const Piece& pieceB) const {
@@ -164,6 +161,10 @@ std::optional<double> Foresight::slackBetween(const Body& body, const Piece& pie
   // Below the pivot's height gravity alone keeps the rope taut.
   const double highest = std::abs(piece.at(from)[0]) + turnWithin(piece, from, to);
   if (highest < 0.5 * std::numbers::pi) return std::nullopt;
+  // Nor does a rope go slack that turns fast enough for any angle.
+  const auto [low, high] = std::ranges::minmax(piece.entry(2, from, to));
+  const double slowest = std::max({0.0, low, -high}) - piece.bend(from, to)[2];
+  if (slowest > 0 && body.length * slowest * slowest > m_gravity) return std::nullopt;
   const double middle = 0.5 * (from + to);
   if (isCoarse(body, piece, from, to) && from < middle && middle < to) {
     const std::optional<double> early = slackBetween(body, piece, from, middle);
@@ -207,6 +208,10 @@ std::optional<double> Foresight::tautBetween(const Body& body, const Piece& piec
                                              double to, double outward) const {
   const double middle = 0.5 * (from + to);
   if (isCoarse(body, piece, from, to) && from < middle && middle < to) {
+    const Box box = boxOf(body, piece, from, to);
+    const Eigen::Vector2d farthest =
+        (box.high - body.pivot).cwiseAbs().cwiseMax((box.low - body.pivot).cwiseAbs());
+    if (farthest.norm() < body.length) return std::nullopt;
     const std::optional<double> early = tautBetween(body, piece, from, middle, outward);
     return early ? early : tautBetween(body, piece, middle, to, 0);
   }

@@ -22,8 +22,12 @@ class Foresight {
     Upcoming::Kind wall;
   };
 
-  Foresight(const Scene& scene, const ContactTolerance& tolerance)
-      : m_room(scene.room), m_gravity(scene.gravity), m_tolerance(tolerance) {}
+  /// @param closeness  paths that are no cubics are cut until cubics are this close [m]
+  Foresight(const Scene& scene, const ContactTolerance& tolerance, double closeness)
+      : m_room(scene.room),
+        m_gravity(scene.gravity),
+        m_tolerance(tolerance),
+        m_closeness(closeness) {}
 
   /// First contact of two weights within both pieces.
   std::optional<Moment> meeting(const Body& a, const Piece& pieceA, const Body& b,
@@ -53,6 +57,8 @@ class Foresight {
   double tension(const Body& body, const Entries& state) const;
 
  private:
+  /// The path is not to be taken for the cubic through both ends.
+  bool isCoarse(const Body& body, const Piece& piece, double from, double to) const;
   bool isInside(const Box& box) const;
   std::optional<Moment> meetingBetween(const Body& a, const Piece& pieceA, const Body& b,
                                        const Piece& pieceB, double from, double to) const;
@@ -66,6 +72,7 @@ class Foresight {
   Room m_room;
   double m_gravity;
   ContactTolerance m_tolerance;
+  double m_closeness;
 };
 
 }  // namespace core

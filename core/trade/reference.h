@@ -12,6 +12,10 @@ inline constexpr double kReferenceTolerance = 1e-14;
 /// multiply every difference, neither can be trusted any more.
 inline constexpr double kCoarseReferenceTolerance = 1e-11;
 
+/// The reference's own error: its largest distance from the exact answers of all reference
+/// cases, up to 10 s of swings, throws, bounces and ropes, is below this [m]. A test checks it.
+inline constexpr double kReferenceError = 1e-12;
+
 /// The solver of a run to trust: Taylor polynomials of degree 16 in steps of their own, which
 /// end just at events and kinks.
 ///

@@ -34,21 +34,29 @@ class Choices {
 
 constexpr double kLongest = 60;  // [s] of processor time
 
-/// How far the discs reach into a wall or into each other at most [m].
-double largestOverlap(const core::Run& run) {
+/// How far the discs reach into walls at most [m].
+double farthestOutside(const core::Run& run) {
   const core::Scene& scene = run.scene();
-  double largest = 0;
+  const Eigen::Vector2d room(scene.room.width, scene.room.height);
+  double farthest = 0;
   for (int i = 0; i < run.weightCount(); ++i) {
     const Eigen::Vector2d place = run.weight(i).position;
-    const double radius = scene.weights[i].radius;
-    const Eigen::Vector2d room(scene.room.width, scene.room.height);
-    largest = std::max({largest, radius - place.minCoeff(), radius - (room - place).minCoeff()});
-    for (int j = 0; j < i; ++j) {
-      const double distance = (run.weight(j).position - place).norm();
-      largest = std::max(largest, radius + scene.weights[j].radius - distance);
-    }
+    farthest =
+        std::max(farthest, scene.weights[i].radius - place.cwiseMin(room - place).minCoeff());
   }
-  return largest;
+  return farthest;
+}
+
+/// How far discs reach into each other at most, as a share of the radii.
+double deepestOverlap(const core::Run& run) {
+  const std::vector<Weight>& weights = run.scene().weights;
+  double deepest = 0;
+  for (int i = 0; i < run.weightCount(); ++i)
+    for (int j = 0; j < i; ++j) {
+      const double distance = (run.weight(i).position - run.weight(j).position).norm();
+      deepest = std::max(deepest, 1 - distance / (weights[i].radius + weights[j].radius));
+    }
+  return deepest;
 }
 
 bool isFinite(const core::Run& run) {
@@ -112,9 +120,11 @@ std::string faultAtCorner(int corner, const core::Solver& solver, int steps) {
   for (int i = 0; i < steps && run.advance() == core::RunStatus::kRunning; ++i)
     if (processorTime() - start > kLongest) return "takes too long";
   if (!isFinite(run)) return "numbers that are not finite";
-  const double overlap = largestOverlap(run);
-  const double allowed = 1e-6 + 1e-11 * scene->room.width;
-  if (overlap > allowed) return "overlap of " + core::numberText(overlap) + " m";
+  const double outside = farthestOutside(run);
+  if (outside > 1e-6 + 1e-11 * scene->room.width)
+    return core::numberText(outside) + " m outside the room";
+  const double overlap = deepestOverlap(run);
+  if (overlap > 0.01) return "an overlap of " + core::numberText(overlap) + " of the radii";
   return {};
 }
 

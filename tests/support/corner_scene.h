@@ -21,9 +21,10 @@ constexpr int kCornerChoices = 12;
 core::Scene cornerScene(int corner);
 
 /// Takes up to `steps` steps of the scene at that corner and looks whether every number stays
-/// finite, every weight in the room and apart from the others (to 10⁻⁶ m, or what rounding
-/// leaves of a place in the largest rooms), whether the run goes on or ends with a status that
-/// says why, and whether it takes less than a minute of processor time.
+/// finite, every weight in the room (to 10⁻⁶ m, or what rounding leaves of a place in the
+/// largest rooms) and apart from the others (to a hundredth of the radii: one of 10⁹ kg lies on
+/// one of 10⁻⁶ kg), and whether it takes less than a minute of processor time. A run that
+/// ends with a status that says why counts as sound.
 ///
 /// @return  what is wrong, in words; empty if nothing is
 std::string faultAtCorner(int corner, const core::Solver& solver, int steps);

@@ -63,8 +63,7 @@ class Window : public MainWindow {
   Window() : MainWindow(cutScene()) {
     controller()->setStopwatch([] { return 0.0; });
     show();
-    const bool isActive = QTest::qWaitForWindowActive(this);
-    Q_ASSERT(isActive);
+    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
   }
 
   double time() const { return controller()->time(); }
@@ -79,7 +78,7 @@ class Window : public MainWindow {
   QString text(int row, int column) const {
     return list()->model()->index(row, column).data().toString();
   }
-  void clickRow(int row) {
+  void clickRow(int row) const {
     const QModelIndex index = list()->model()->index(row, 0);
     list()->scrollTo(index);
     QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(index).center());

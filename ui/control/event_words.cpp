@@ -32,7 +32,9 @@ EventGroup groupOf(core::EventKind kind) {
 }
 
 QString numberOf(int weight) {
-  return QLocale().toString(weight + 1);
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(weight + 1);
 }
 
 }  // namespace

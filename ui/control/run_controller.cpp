@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60;         // s
 constexpr double kPlayingBudget = 0.012;    // s of work per frame: leaves 4 ms for drawing
+constexpr double kSlowBudget = 0.05;        // s, at most where drawing takes long
 constexpr double kTravellingBudget = 0.03;  // s: keys and mouse are heard in between
 constexpr double kFirstBudget = 0.1;        // s: what takes less counts as at once
 constexpr double kShownEvery = 0.15;        // s: on the way drawing is not what time is for
@@ -29,7 +30,7 @@ RunController::RunController(QObject* parent) : RunController(steadySeconds, par
 RunController::~RunController() = default;
 
 void RunController::setScene(std::shared_ptr<const core::Scene> scene) {
-  endTravel();
+  m_journey.end();
   m_scene = std::move(scene);
   m_lanes = Lanes(m_scene);
   m_wentOn.assign(m_lanes.count(), true);
@@ -51,7 +52,7 @@ double RunController::keptShare() const {
 }
 
 void RunController::passTime(double elapsed) {
-  if (m_goal) {
+  if (isTravelling()) {
     travel(kTravellingBudget);
   } else if (m_playing) {
     playOn(elapsed);
@@ -60,110 +61,45 @@ void RunController::passTime(double elapsed) {
 
 void RunController::playOn(double elapsed) {
   const double target = m_clock.targetAfter(elapsed);
-  const double deadline = now() + kPlayingBudget;
+  // Half of the time where frames come late anyway: drawing must not starve the runs.
+  const double deadline = now() + std::clamp(elapsed / 2, kPlayingBudget, kSlowBudget);
   m_lanes.advanceTo(target, [&](const Lane&) { return now() <= deadline; });
   m_clock.reached(m_lanes.timeReached(target));
   emit timeShown(time());
   noteChanges();
 }
 
-double RunController::travelProgress() const {
-  if (!m_goal) return 1;
-  if (m_aim && m_stepsAtAim > 0) {
-    return 1 - static_cast<double>(m_lanes.stepsToGo()) / static_cast<double>(m_stepsAtAim);
-  }
-  return *m_goal > m_start ? std::clamp((time() - m_start) / (*m_goal - m_start), 0.0, 1.0) : 1;
-}
-
-void RunController::setGoal(double time) {
-  m_goal = std::max(time, 0.0);
-  m_wanted = nullptr;
-  m_start = m_clock.time();
-}
-
 void RunController::travel(double budget) {
   const double deadline = now() + budget;
   const double before = time();
-  const bool isRestored = restoreUntil(deadline);
-  const bool hasJumped = time() != before;
-  if (isRestored) computeUntil(deadline);
-  const bool isOnTheWay = m_goal && !hasJumped && now() - m_lastShown < kShownEvery;
-  if (!isOnTheWay && (time() != before || !m_goal)) {
+  const Journey::Piece piece = m_journey.goOn(m_lanes, before, [&] { return now() <= deadline; });
+  m_clock.reset(piece.time);
+  const bool isOnTheWay = isTravelling() && !piece.hasJumped && now() - m_lastShown < kShownEvery;
+  if (!isOnTheWay && (time() != before || !isTravelling())) {
     m_lastShown = now();
     emit timeShown(time());
   }
   noteChanges();
   emit travelled();
-}
-
-// What is recorded is restored: backwards always, forwards where a kept state makes the way
-// shorter. A way that has been begun is finished before a new goal is looked at, so that the
-// views follow a goal that moves on all the time.
-bool RunController::restoreUntil(double deadline) {
-  const auto recordedGoal = [this] { return std::min(*m_goal, recordedUntil()); };
-  while (m_aim || *m_goal < time() || m_lanes.isShorterByRecord(recordedGoal())) {
-    if (!m_aim) {
-      m_aim = recordedGoal();
-      m_lanes.aimAt(*m_aim);
-      m_stepsAtAim = m_lanes.stepsToGo();
-    }
-    if (!m_lanes.approach([&](const Lane&) { return now() <= deadline; })) return false;
-    m_lanes.arrive();
-    m_clock.reset(*m_aim);
-    m_aim.reset();
-  }
-  return true;
-}
-
-// Once the event is found it is the goal, and the lanes that are still behind it go on.
-void RunController::computeUntil(double deadline) {
-  bool isFound = false;
-  do {
-    m_lanes.advanceTo(*m_goal, [&](const Lane& lane) {
-      isFound = isWanted(lane);
-      return !isFound && now() <= deadline;
-    });
-  } while (std::exchange(isFound, false));
-  m_clock.reset(m_lanes.timeReached(*m_goal));
-  if (time() < *m_goal && canGoOn()) return;
-  const bool isNothingFound = m_wanted != nullptr;
-  endTravel();
-  if (isNothingFound) emit nothingFound(m_start, time());
-}
-
-/// Whether the step that the lane has just taken holds the wanted event.
-bool RunController::isWanted(const Lane& lane) {
-  if (!m_wanted || &lane != &m_lanes[m_wantedRun]) return false;
-  for (const core::Event& event : lane.run().stepEvents()) {
-    if (event.time <= m_start || !m_wanted(event)) continue;
-    setGoal(event.time);
-    return true;
-  }
-  return false;
-}
-
-void RunController::endTravel() {
-  m_goal.reset();
-  m_aim.reset();
-  m_wanted = nullptr;
+  if (piece.hasFoundNothing) emit nothingFound(m_journey.start(), time());
 }
 
 void RunController::stopTravelling() {
-  if (!m_goal) return;
-  endTravel();
+  if (!isTravelling()) return;
+  m_journey.end();
   emit timeShown(time());
   noteChanges();
   emit travelled();
 }
 
 void RunController::showTime(double time) {
-  setGoal(std::min(time, recordedUntil()));
+  m_journey.setGoal(m_clock.time(), std::min(time, recordedUntil()));
   travel(kFirstBudget);
 }
 
 void RunController::goTo(double time) {
   setPlaying(false);
-  setGoal(time);
+  m_journey.setGoal(m_clock.time(), time);
   travel(kFirstBudget);
 }
 
@@ -172,10 +108,10 @@ void RunController::goToNext(int run, EventFilter wanted, double atMost) {
   const auto events = recording(run).eventLog().events();
   const auto later = std::ranges::upper_bound(events, time(), {}, &core::Event::time);
   const auto found = std::find_if(later, events.end(), wanted);
-  setGoal(found == events.end() ? atMost : found->time);
   if (found == events.end()) {
-    m_wanted = std::move(wanted);
-    m_wantedRun = run;
+    m_journey.setGoal(time(), atMost, run, std::move(wanted));
+  } else {
+    m_journey.setGoal(time(), found->time);
   }
   travel(kFirstBudget);
 }
@@ -202,7 +138,7 @@ void RunController::pause() {
 }
 
 void RunController::togglePlaying() {
-  m_playing || m_goal ? pause() : play();
+  m_playing || isTravelling() ? pause() : play();
 }
 
 void RunController::setPlaying(bool playing) {
@@ -241,7 +177,7 @@ void RunController::stepFrameBack() {
 void RunController::cutAll() {
   if (!canCut()) return;
   const bool wasTravelling = isTravelling();
-  endTravel();
+  m_journey.end();
   m_lanes.cutAll();
   emit timeShown(time());
   noteChanges();
@@ -262,7 +198,7 @@ void RunController::setSpeed(double speed) {
 void RunController::noteChanges() {
   const bool couldCut = std::exchange(m_couldCut, canCut());
   if (canCut() != couldCut) emit canCutChanged(canCut());
-  const bool isBusy = m_playing || m_goal;
+  const bool isBusy = m_playing || isTravelling();
   if (std::exchange(m_wasBusy, isBusy) != isBusy) emit busyChanged(isBusy);
   std::vector<bool> goesOn;
   for (int i = 0; i < runCount(); ++i) goesOn.push_back(m_lanes[i].goesOn());

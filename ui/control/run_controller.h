@@ -2,13 +2,13 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include <QObject>
 
 #include "core/run/step_clock.h"
+#include "ui/control/journey.h"
 #include "ui/control/lanes.h"
 
 namespace ui {
@@ -30,7 +30,7 @@ class RunController : public QObject {
  public:
   /// Reads some clock [s]; only differences matter.
   using Stopwatch = std::function<double()>;
-  using EventFilter = std::function<bool(const core::Event&)>;
+  using EventFilter = Journey::EventFilter;
 
   explicit RunController(Stopwatch stopwatch, QObject* parent = nullptr);
 
@@ -73,11 +73,11 @@ class RunController : public QObject {
   void passTime(double elapsed);
 
   /// On the way to a moment that takes more work than fits a frame.
-  bool isTravelling() const { return m_goal.has_value(); }
+  bool isTravelling() const { return m_journey.isUnderWay(); }
   /// Where the way leads [s]; time() when not travelling, or to an event that is not found yet.
-  double destination() const { return m_wanted ? time() : m_goal.value_or(time()); }
+  double destination() const { return m_journey.goal().value_or(time()); }
   /// Share of the way that is done, 0 to 1.
-  double travelProgress() const;
+  double travelProgress() const { return m_journey.progress(m_lanes, time()); }
 
   /// Goes on to the first event of this run that is wanted, after the moment shown, but not
   /// beyond `atMost` [s]; pauses first. Goes by what is recorded, and computes on where that
@@ -139,12 +139,7 @@ class RunController : public QObject {
  private:
   double now() const { return m_stopwatch(); }
   void playOn(double elapsed);
-  void setGoal(double time);
   void travel(double budget);
-  bool restoreUntil(double deadline);
-  void computeUntil(double deadline);
-  bool isWanted(const Lane& lane);
-  void endTravel();
   double stepOfFirst() const;
   void setPlaying(bool playing);
   void noteChanges();
@@ -154,15 +149,8 @@ class RunController : public QObject {
   Lanes m_lanes;
   core::StepClock m_clock;
   bool m_playing = false;
-
-  // Travelling.
-  std::optional<double> m_goal;  // [s]
-  std::optional<double> m_aim;   // of the lanes, while they are being restored [s]
-  EventFilter m_wanted;          // ends the way to the goal earlier, in m_wantedRun
-  int m_wantedRun = 0;
-  double m_start = 0;             // [s]
-  std::int64_t m_stepsAtAim = 0;  // to go when the lanes were aimed
-  double m_lastShown = 0;         // when, by the stopwatch [s]
+  Journey m_journey;
+  double m_lastShown = 0;  // on the way, by the stopwatch [s]
 
   // As last told.
   bool m_couldCut = false;

@@ -91,7 +91,7 @@ int EventTable::rowAt(double time) const {
 
 std::string EventTable::csv(std::span<const int> rows) const {
   std::string text(core::eventHeader());
-  for (const int row : rows) core::appendEventRow(text, event(row));
+  for (const int row : rows) core::appendEventRow(text, eventAt(row));
   return text;
 }
 
@@ -123,7 +123,7 @@ QString EventTable::textOf(const core::Event& event, int column) const {
 }
 
 QVariant EventTable::data(const QModelIndex& index, int role) const {
-  const core::Event& event = this->event(index.row());
+  const core::Event& event = eventAt(index.row());
   switch (role) {
     case Qt::DisplayRole:
       return textOf(event, index.column());

@@ -34,7 +34,7 @@ class EventTable : public QAbstractTableModel {
   /// Takes up what the log has got or lost since.
   void refresh();
 
-  const core::Event& event(int row) const { return m_log->events()[m_rows[row]]; }
+  const core::Event& eventAt(int row) const { return m_log->events()[m_rows[row]]; }
   /// The last row whose event is not after `time` [s]; −1 if there is none.
   int rowAt(double time) const;
   /// These rows with a header line, as `simulate --events` writes them.

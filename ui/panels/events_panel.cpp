@@ -1,5 +1,6 @@
 #include "ui/panels/events_panel.h"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -69,15 +70,24 @@ void EventsPanel::buildTable() {
   QHeaderView* columns = m_view->horizontalHeader();
   columns->setHighlightSections(false);
   columns->setSectionResizeMode(EventTable::kKind, QHeaderView::Stretch);
-  for (int column = 0; column < EventTable::kColumnCount; ++column) {
-    const QString name = m_table->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-    if (column != EventTable::kKind)
-      m_view->setColumnWidth(column, fontMetrics().horizontalAdvance(name) + kColumnMargin);
-  }
   m_view->installEventFilter(this);
   connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &EventsPanel::goToCurrent);
   connect(m_view, &QTableView::clicked, this, &EventsPanel::goToCurrent);
+}
+
+/// Columns wide enough for their names and for the numbers of any two weights.
+void EventsPanel::sizeColumns() {
+  const int last = m_controller->run(0).weightCount() - 1;
+  core::Event widest;
+  widest.weight = widest.other = std::max(last, 0);
+  for (int column = 0; column < EventTable::kColumnCount; ++column) {
+    const QString name = m_table->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    int width = fontMetrics().horizontalAdvance(name);
+    if (column == EventTable::kWho)
+      width = std::max(width, fontMetrics().horizontalAdvance(whoWords(widest)));
+    if (column != EventTable::kKind) m_view->setColumnWidth(column, width + kColumnMargin);
+  }
 }
 
 void EventsPanel::buildFilters() {
@@ -125,6 +135,7 @@ void EventsPanel::listRuns() {
   m_runs->setVisible(m_controller->runCount() > 1);
   m_weight->setMaximum(m_controller->run(0).weightCount());
   m_table->setLog(&m_events->log());
+  sizeColumns();
 }
 
 void EventsPanel::setWeight(int weight) {
@@ -144,7 +155,7 @@ void EventsPanel::follow() {
   const double time = m_controller->time();
   const QModelIndex current = m_view->currentIndex();
   // Of several at one moment the one the user chose.
-  if (current.isValid() && m_table->event(current.row()).time == time) return;
+  if (current.isValid() && m_table->eventAt(current.row()).time == time) return;
   const int row = m_table->rowAt(time);
   if (row == current.row()) return;
   m_view->setCurrentIndex(m_table->index(row, EventTable::kTime));
@@ -155,7 +166,7 @@ void EventsPanel::goToCurrent() {
   const QModelIndex current = m_view->currentIndex();
   if (m_isFollowing || !current.isValid()) return;
   m_controller->pause();
-  m_controller->showTime(m_table->event(current.row()).time);
+  m_controller->showTime(m_table->eventAt(current.row()).time);
 }
 
 /// The chosen rows, or all where no more than the row that follows time is chosen.

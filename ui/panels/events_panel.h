@@ -40,6 +40,7 @@ class EventsPanel : public QWidget {
  private:
   void buildTable();
   void buildFilters();
+  void sizeColumns();
   void listRuns();
   void applyFilter();
   void follow();

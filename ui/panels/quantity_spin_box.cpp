@@ -66,6 +66,7 @@ void QuantitySpinBox::setMarked(bool marked) {
 
 double QuantitySpinBox::stepped(double value, int steps) const {
   if (m_style.arrowsDouble) return std::ldexp(value, steps);
+  if (m_style.arrowsTenfold) return value * std::pow(10.0, steps);
   // On whole multiples of the arrow's step, so that 9.81 goes to 9.9 and back to 9.8.
   const double multiples = value / m_style.arrowStep;
   const double nearest = std::round(multiples);

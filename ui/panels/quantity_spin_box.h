@@ -10,10 +10,11 @@ namespace ui {
 
 /// How a quantity is shown and how the arrows change it.
 struct QuantityStyle {
-  core::Range range;          ///< as shown: degrees for angles
-  double arrowStep = 0.1;     ///< added or taken away by an arrow, > 0
-  bool arrowsDouble = false;  ///< arrows double and halve instead, and 1/240 is shown so
-  bool wholeNumbers = false;  ///< 3.5 is refused
+  core::Range range;           ///< as shown: degrees for angles
+  double arrowStep = 0.1;      ///< added or taken away by an arrow, > 0
+  bool arrowsDouble = false;   ///< arrows double and halve instead, and 1/240 is shown so
+  bool arrowsTenfold = false;  ///< arrows multiply and divide by ten instead
+  bool wholeNumbers = false;   ///< 3.5 is refused
 };
 
 /// A spin box that lets anything be typed and judges it only when it is done with: nothing

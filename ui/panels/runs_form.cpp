@@ -53,6 +53,7 @@ void RunsForm::addRun(int index) {
           new QLabel,
           new QComboBox,
           new QuantityField({.range = core::kStepRange, .arrowsDouble = true}),
+          new QuantityField({.range = core::kToleranceRange, .arrowsTenfold = true}),
           {.method = std::string(core::methods().front().id)}};
   for (const core::Method& method : core::methods()) {
     row.method->addItem(methodWords(method), QString::fromUtf8(method.id.data()));
@@ -62,18 +63,25 @@ void RunsForm::addRun(int index) {
   row.method->setAccessibleName(tr("Method of run %1").arg(index + 1));
   row.step->spinBox()->setAccessibleName(tr("Step of run %1").arg(index + 1));
   rows()->addRow(nameOf(row, index), row.method);
+  row.tolerance->spinBox()->setAccessibleName(tr("Tolerance of run %1").arg(index + 1));
   rows()->addRow(tr("Step"), row.step);
+  rows()->addRow(tr("Tolerance"), row.tolerance);
   m_runs.push_back(row);
 
   connect(row.shown, &QCheckBox::toggled, this, [=, this](bool on) { setShown(index, on); });
   connect(row.method, &QComboBox::activated, this,
           [=, this] { setMethod(index, row.method->currentData().toString()); });
-  const auto read = [=, this](const core::Scene& scene) -> std::optional<double> {
-    return isShown(scene, index) ? scene.solvers[index].step : m_runs[index].latest.step;
-  };
-  bind(row.step, read,
-       [index](core::Scene& scene, double step) { scene.solvers[index].step = step; });
+  bindNumber(row.step, index, &core::Solver::step);
+  bindNumber(row.tolerance, index, &core::Solver::tolerance);
   paintMarks();
+}
+
+void RunsForm::bindNumber(QuantityField* field, int index, double core::Solver::*number) {
+  const auto read = [=, this](const core::Scene& scene) -> std::optional<double> {
+    return (isShown(scene, index) ? scene.solvers[index] : m_runs[index].latest).*number;
+  };
+  bind(field, read,
+       [=](core::Scene& scene, double value) { scene.solvers[index].*number = value; });
 }
 
 /// The run's name with the mark its weights have in the scene.
@@ -103,7 +111,12 @@ void RunsForm::setShown(int index, bool shown) {
 }
 
 void RunsForm::setMethod(int index, const QString& id) {
-  editor()->change([&](core::Scene& draft) { draft.solvers[index].method = id.toStdString(); });
+  editor()->change([&](core::Scene& draft) {
+    core::Solver& solver = draft.solvers[index];
+    solver.method = id.toStdString();
+    // Files hold no step for these: what is saved is what is shown.
+    if (core::findMethod(solver.method)->isAdaptive) solver.step = core::Solver().step;
+  });
 }
 
 void RunsForm::showDraft() {
@@ -123,6 +136,10 @@ void RunsForm::showRun(int index) {
   row.shown->setChecked(shown);
   row.method->setEnabled(shown);
   row.step->setEnabled(shown);
+  row.tolerance->setEnabled(shown);
+  const bool isAdaptive = core::findMethod(row.latest.method)->isAdaptive;
+  rows()->setRowVisible(row.step, !isAdaptive);
+  rows()->setRowVisible(row.tolerance, isAdaptive);
   row.method->setCurrentIndex(row.method->findData(QString::fromStdString(row.latest.method)));
 }
 

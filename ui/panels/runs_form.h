@@ -8,8 +8,8 @@ class QLabel;
 
 namespace ui {
 
-/// Which methods run side by side, and with what steps. The first run is always there; the
-/// others can be switched off.
+/// Which methods run side by side, and with what steps or tolerances. The first run is always
+/// there; the others can be switched off.
 class RunsForm : public Form {
   Q_OBJECT
 
@@ -26,10 +26,12 @@ class RunsForm : public Form {
     QLabel* mark = nullptr;
     QComboBox* method = nullptr;
     QuantityField* step = nullptr;
-    core::Solver latest;  // comes back when the run is switched on again
+    QuantityField* tolerance = nullptr;  // in place of the step for adaptive methods
+    core::Solver latest;                 // comes back when the run is switched on again
   };
 
   void addRun(int index);
+  void bindNumber(QuantityField* field, int index, double core::Solver::*number);
   QWidget* nameOf(const Row& row, int index);
   void showRun(int index);
   void setShown(int index, bool shown);

@@ -28,10 +28,16 @@ QString stepText(double step) {
 
 }  // namespace
 
-QString solverText(std::string_view methodName, double step) {
-  const QString method =
-      QString::fromUtf8(methodName.data(), static_cast<qsizetype>(methodName.size()));
-  return QCoreApplication::translate("ui::SceneView", "%1, %2 s").arg(method, stepText(step));
+QString solverText(const core::Run& run) {
+  const core::Method& method = run.method();
+  const QString name =
+      QString::fromUtf8(method.name.data(), static_cast<qsizetype>(method.name.size()));
+  if (!method.isOffered) return name;
+  if (method.isAdaptive)
+    return QCoreApplication::translate("ui::SceneView", "%1, tolerance %2")
+        .arg(name, QLocale().toString(run.solver().tolerance, 'g', 4));
+  return QCoreApplication::translate("ui::SceneView", "%1, %2 s")
+      .arg(name, stepText(run.solver().step));
 }
 
 ShownScene shownScene(const std::vector<const core::Run*>& runs) {
@@ -43,7 +49,7 @@ ShownScene shownScene(const std::vector<const core::Run*>& runs) {
   for (int i = 0; i < count; ++i) shown.colors.push_back(rgbOf(core::colorOf(shown.scene, i)));
   shown.time = runs.front()->time();
   for (const core::Run* run : runs) {
-    shown.runs.push_back({solverText(run->method().name, run->solver().step), {}});
+    shown.runs.push_back({solverText(*run), {}});
     for (int i = 0; i < count; ++i) shown.runs.back().weights.push_back(run->weight(i));
   }
   return shown;

@@ -33,7 +33,7 @@ ShownScene shownScene(const std::vector<const core::Run*>& runs);
 /// @param time  [s], inside the latest step of every run
 void readWeights(const std::vector<const core::Run*>& runs, double time, ShownScene& shown);
 
-/// Method and step as a person would say it: "Euler, 1/60 s".
-QString solverText(std::string_view methodName, double step);
+/// A run's method and step or tolerance as a person would say it: "Euler, 1/60 s".
+QString solverText(const core::Run& run);
 
 }  // namespace ui

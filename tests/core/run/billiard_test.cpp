@@ -64,20 +64,28 @@ class BilliardTest : public QObject {
 };
 
 void BilliardTest::countsTheDigitsOfPi_data() {
+  QTest::addColumn<QByteArray>("method");
   QTest::addColumn<double>("massRatio");
   QTest::addColumn<int>("impacts");
-  QTest::newRow("1") << 1e0 << 3;
-  QTest::newRow("100") << 1e2 << 31;
-  QTest::newRow("10⁴") << 1e4 << 314;
-  QTest::newRow("10⁶") << 1e6 << 3141;
-  QTest::newRow("10⁸") << 1e8 << 31415;
-  QTest::newRow("10¹⁰") << 1e10 << 314159;
+  for (const std::string method : {"semi-implicit-euler", "rk4", "dopri5", "reference"}) {
+    const auto row = [&](const char* ratio, double massRatio, int impacts) {
+      QTest::addRow("%s, %s", ratio, method.c_str())
+          << QByteArray::fromStdString(method) << massRatio << impacts;
+    };
+    row("1", 1e0, 3);
+    row("100", 1e2, 31);
+    row("10⁴", 1e4, 314);
+    row("10⁶", 1e6, 3141);
+    row("10⁸", 1e8, 31415);
+    row("10¹⁰", 1e10, 314159);
+  }
 }
 
 void BilliardTest::countsTheDigitsOfPi() {
+  QFETCH(QByteArray, method);
   QFETCH(double, massRatio);
   QFETCH(int, impacts);
-  Run run(billiard(massRatio), {.method = "rk4", .step = 1.0 / 60});
+  Run run(billiard(massRatio), {.method = method.toStdString(), .step = 1.0 / 60});
   int counted = 0;
   while (run.time() < kUntil) {
     QCOMPARE(run.advance(), core::RunStatus::kRunning);

@@ -44,7 +44,7 @@ class DeterminismTest : public QObject {
 void DeterminismTest::addRuns() {
   QTest::addColumn<QByteArray>("method");
   QTest::addColumn<int>("seed");
-  for (const std::string method : {"euler", "semi-implicit-euler", "rk4"})
+  for (const std::string method : {"euler", "semi-implicit-euler", "rk4", "dopri5", "reference"})
     for (int seed = 0; seed < 6; ++seed)
       QTest::addRow("%s, %d", method.c_str(), seed) << QByteArray::fromStdString(method) << seed;
 }

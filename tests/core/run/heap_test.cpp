@@ -70,19 +70,23 @@ class HeapTest : public QObject {
 };
 
 void HeapTest::settlesWithoutOverlapOrNewEnergy_data() {
+  QTest::addColumn<QByteArray>("method");
   QTest::addColumn<int>("count");
   QTest::addColumn<double>("restitution");
-  for (const int count : {7, 50})
-    for (const double restitution : {0.5, 0.8})
-      QTest::addRow("%d weights, e = %g", count, restitution) << count << restitution;
+  for (const std::string method : {"rk4", "dopri5", "reference"})
+    for (const int count : {7, 50})
+      for (const double restitution : {0.5, 0.8})
+        QTest::addRow("%d weights, e = %g, %s", count, restitution, method.c_str())
+            << QByteArray::fromStdString(method) << count << restitution;
 }
 
 void HeapTest::settlesWithoutOverlapOrNewEnergy() {
+  QFETCH(QByteArray, method);
   QFETCH(int, count);
   QFETCH(double, restitution);
   const auto scene = pouring(count, restitution);
   QVERIFY(core::problemsIn(*scene).empty());
-  Run run(scene, {.method = "rk4", .step = 1.0 / 60});
+  Run run(scene, {.method = method.toStdString(), .step = 1.0 / 60});
   double overlap = 0;
   while (run.time() < 60) {
     QCOMPARE(run.advance(), RunStatus::kRunning);

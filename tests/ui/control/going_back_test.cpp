@@ -15,14 +15,14 @@ namespace {
 
 using Bits = std::vector<double>;
 
-/// Six made-up weights under four runs with three different steps.
+/// Six made-up weights under four methods with three different steps.
 std::shared_ptr<core::Scene> fourRuns() {
   auto scene = std::make_shared<core::Scene>(tests::randomScene(1, 6));
   scene->cutTime.reset();
   scene->solvers = {{.method = "rk4", .step = 1.0 / 60},
                     {.method = "euler", .step = 1.0 / 60},
-                    {.method = "rk4", .step = 0.007},
-                    {.method = "euler", .step = 0.1}};
+                    {.method = "dopri5", .step = 0.007},
+                    {.method = "semi-implicit-euler", .step = 0.1}};
   return scene;
 }
 
@@ -97,10 +97,12 @@ class GoingBackTest : public QObject {
   void staysWithinTheRecord();
   void keepsPlayingWhenAnotherMomentIsShown();
   void aStoppedRunGoesOnAtAnEarlierMoment();
+  void stoppedRunsDoNotHoldUpTheWayAhead();
   void longWaysGoOnInLaterFrames();
   void aGoalThatMovesOnIsFollowed();
   void computesOnToALaterMoment();
   void goesToTheNextWantedEvent();
+  void isPastAnEventAtTheMomentShown();
   void saysWhenThereIsNoSuchEvent();
 };
 
@@ -249,6 +251,26 @@ void GoingBackTest::aStoppedRunGoesOnAtAnEarlierMoment() {
   QCOMPARE(changed.count(), 2);
 }
 
+void GoingBackTest::stoppedRunsDoNotHoldUpTheWayAhead() {
+  auto scene = thickAir();
+  scene->solvers.push_back({.method = "euler", .step = 0.04});
+  double perLook = 0;
+  RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
+  controller.setScene(scene);
+  playUntil(controller, 2);
+  QVERIFY(controller.run(0).time() < 2 && controller.run(2).time() < 2);
+  controller.showTime(0);
+  perLook = 1;  // one step a call
+  std::vector<double> moments;
+  connect(&controller, &RunController::timeShown, this,
+          [&](double time) { moments.push_back(time); });
+  controller.showTime(2);
+  while (controller.isTravelling()) controller.passTime(0.016);
+  for (const double moment : moments) QCOMPARE(moment, 2.0);
+  QCOMPARE(controller.run(0).status(), core::RunStatus::kDiverged);
+  QCOMPARE(controller.run(2).status(), core::RunStatus::kDiverged);
+}
+
 void GoingBackTest::longWaysGoOnInLaterFrames() {
   double perLook = 0;
   RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
@@ -284,7 +306,8 @@ void GoingBackTest::aGoalThatMovesOnIsFollowed() {
   for (int i = 0; i < 9000; ++i) {
     core::Weight weight;
     weight.radius = 1e-3;
-    weight.position = {0.01 + 0.013 * (i % 300), 0.5 + 0.013 * (i / 300)};
+    const int row = i / 300;
+    weight.position = {0.01 + 0.013 * (i % 300), 0.5 + 0.013 * row};
     scene->weights.push_back(weight);
   }
   scene->solvers = {{.method = "euler", .step = 1e-3}};
@@ -345,6 +368,22 @@ void GoingBackTest::goesToTheNextWantedEvent() {
     controller.goToPrevious(0, isImpact);
     QCOMPARE(controller.time(), impacts[i]);
   }
+}
+
+void GoingBackTest::isPastAnEventAtTheMomentShown() {
+  RunController controller(ticking(0));
+  auto scene = fourRuns();
+  scene->solvers.resize(2);  // of one step, so that both are cut at once
+  controller.setScene(scene);
+  playUntil(controller, 0.5);
+  controller.stepOnce();
+  controller.cutAll();
+  const double cut = controller.time();
+  const auto isCut = [](const core::Event& event) { return event.kind == core::EventKind::kCut; };
+  controller.goToNext(0, isCut, 1);
+  QCOMPARE(controller.time(), 1.0);
+  controller.goToPrevious(0, isCut);
+  QCOMPARE(controller.time(), cut);
 }
 
 void GoingBackTest::saysWhenThereIsNoSuchEvent() {

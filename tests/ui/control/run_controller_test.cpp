@@ -70,6 +70,7 @@ class RunControllerTest : public QObject {
   void cutsOnceTheSlowerRunsAreThere();
   void cannotCutTwice();
   void fallsBehindInsteadOfFreezing();
+  void computesHalfTheTimeWhereDrawingIsSlow();
   void stopsADivergedRunWhileTheOthersGoOn();
   void pausesWhenNoRunCanGoOn();
   void startsAgainOnReset();
@@ -229,6 +230,20 @@ void RunControllerTest::fallsBehindInsteadOfFreezing() {
   QVERIFY(controller.time() < 600 * 0.004);
   QVERIFY(controller.keptShare() < 0.25);
   QVERIFY(controller.keptShare() > 0.1);
+}
+
+void RunControllerTest::computesHalfTheTimeWhereDrawingIsSlow() {
+  const auto stepsIn = [](double frame) {
+    RunController controller(ticking(0.001));
+    controller.setScene(swingingScene(1e-4, 10));
+    controller.play();
+    controller.passTime(frame);
+    return controller.run(0).stepCount();
+  };
+  // A look at the clock a step, of 1 ms; the one of the second run, and one of each for the end.
+  QVERIFY(std::abs(stepsIn(0.016) - 12) <= 2);
+  QVERIFY(std::abs(stepsIn(0.06) - 30) <= 2);
+  QVERIFY(std::abs(stepsIn(10) - 50) <= 2);
 }
 
 void RunControllerTest::stopsADivergedRunWhileTheOthersGoOn() {

@@ -91,7 +91,7 @@ void EventTableTest::addsWhatIsNew() {
   QCOMPARE(table.rowCount(), 15);
   QCOMPARE(inserted.count(), 2);
   QCOMPARE(reset.count(), 0);
-  QCOMPARE(table.event(14).time, 14.0);
+  QCOMPARE(table.eventAt(14).time, 14.0);
 }
 
 void EventTableTest::listsAnewWhatWasForgotten() {
@@ -105,14 +105,14 @@ void EventTableTest::listsAnewWhatWasForgotten() {
   log.append(events(1, 20));
   table.refresh();
   QCOMPARE(table.rowCount(), 10);
-  QCOMPARE(table.event(0).time, 11.0);
+  QCOMPARE(table.eventAt(0).time, 11.0);
   // Another future, as long as the one before.
   log.dropFrom(18);
   const std::vector<Event> others{cutOfAll(18), cutOfAll(18.5), cutOfAll(19)};
   log.append(others);
   table.refresh();
   QCOMPARE(table.rowCount(), 10);
-  QCOMPARE(table.event(9).kind, EventKind::kCut);
+  QCOMPARE(table.eventAt(9).kind, EventKind::kCut);
 }
 
 void EventTableTest::filtersByKindAndWeight_data() {
@@ -143,7 +143,7 @@ void EventTableTest::filtersByKindAndWeight() {
   log.append({&cut, 1});
   table.refresh();
   QList<double> listed;
-  for (int i = 0; i < table.rowCount(); ++i) listed << table.event(i).time;
+  for (int i = 0; i < table.rowCount(); ++i) listed << table.eventAt(i).time;
   QCOMPARE(listed, times);
 }
 

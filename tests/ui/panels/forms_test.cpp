@@ -64,6 +64,7 @@ class FormsTest : public QObject {
   void differentWeightsShowNoCommonValue();
   void fieldsWithoutAWeightCannotBeEdited();
   void methodAndStepOfARunChange();
+  void anAdaptiveMethodTakesAToleranceInPlaceOfAStep();
   void theSecondRunGoesAndComesBackAsItWas();
   void theWheelPassesOverValuesWithoutChangingThem();
 };
@@ -219,6 +220,20 @@ void FormsTest::methodAndStepOfARunChange() {
   QCOMPARE(method->currentData().toString(), QString("rk4"));
   QTest::keyClick(method, Qt::Key_Home);
   QCOMPARE(editor.scene()->solvers[0].method, std::string("euler"));
+}
+
+void FormsTest::anAdaptiveMethodTakesAToleranceInPlaceOfAStep() {
+  ui::SceneEditor editor(threeWeights());
+  ui::RunsForm form(&editor);
+  enter(fieldNamed(form, "Step of run 1"), "1/240");
+  QVERIFY(fieldNamed(form, "Tolerance of run 1")->isHidden());
+  QTest::keyClick(form.findChildren<QComboBox*>().at(0), Qt::Key_End);
+  QCOMPARE(editor.scene()->solvers[0].method, std::string("dopri5"));
+  QCOMPARE(editor.scene()->solvers[0].step, core::Solver().step);
+  QVERIFY(fieldNamed(form, "Step of run 1")->isHidden());
+  QVERIFY(!fieldNamed(form, "Step of run 2")->isHidden());
+  enter(fieldNamed(form, "Tolerance of run 1"), "1e-6");
+  QCOMPARE(editor.scene()->solvers[0].tolerance, 1e-6);
 }
 
 void FormsTest::theSecondRunGoesAndComesBackAsItWas() {

@@ -45,6 +45,7 @@ class QuantityFieldTest : public QObject {
   void showsDegreesAndGivesRadians();
   void arrowsGoToWholeMultiples();
   void arrowsDoubleAndHalveSteps();
+  void arrowsMakeTolerancesTenTimesLarger();
   void arrowsStopAtTheRangesEnds();
   void refusesPartsWhereOnlyWholeNumbersCount();
   void returnHandsTheKeyboardBackToTheWindow();
@@ -153,6 +154,16 @@ void QuantityFieldTest::arrowsDoubleAndHalveSteps() {
   field.setValue(1.0 / 60);
   QTest::keyClick(field.spinBox(), Qt::Key_Down);
   QCOMPARE(field.spinBox()->text(), QString("1/120 s"));
+}
+
+void QuantityFieldTest::arrowsMakeTolerancesTenTimesLarger() {
+  QuantityField field({.range = core::kToleranceRange, .arrowsTenfold = true});
+  field.setValue(1e-9);
+  QTest::keyClick(field.spinBox(), Qt::Key_Up);
+  QCOMPARE(field.spinBox()->text(), QString("1e-8"));
+  field.setValue(1e-14);
+  QTest::keyClick(field.spinBox(), Qt::Key_Down);
+  QCOMPARE(field.spinBox()->text(), QString("1e-14"));
 }
 
 void QuantityFieldTest::arrowsStopAtTheRangesEnds() {
