@@ -15,6 +15,9 @@ namespace core {
 /// precision knows the answer. The reference solution is therefore computed twice, at two
 /// tolerances and from starts that differ in the last digit (where nothing bends the paths,
 /// rounding is all there is to grow), and trusted while the two agree.
+///
+/// Weights that lean on each other move by time-stepping of first order in the reference as well
+/// (core/model.md, "Rest"): once groups have formed, errors are differences from that.
 struct TrustedCourse {
   SampleTimes times;
   SampledCourse course;    ///< by the finer tolerance, up to the last moment that is trusted

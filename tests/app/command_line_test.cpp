@@ -170,9 +170,10 @@ void CommandLineTest::helpNamesEveryCallAndOption() {
   const Outcome outcome = run({"--help"});
   QCOMPARE(outcome.status, 0);
   QCOMPARE(outcome.error, QByteArray());
-  for (const char* word : {"angrycuts [SCENE]", "scenes", "--export", "simulate", "measure", "--csv",
-                           "--method", "--step", "--tolerance", "--until", "--cut", "--sample",
-                           "--trajectory", "--energy", "--events", "--chart", "--version"}) {
+  for (const char* word :
+       {"angrycuts [SCENE]", "scenes", "--export", "simulate", "measure", "--csv", "--method",
+        "--step", "--tolerance", "--until", "--cut", "--sample", "--trajectory", "--energy",
+        "--events", "--chart", "--version"}) {
     QVERIFY2(outcome.output.contains(word), word);
   }
   QCOMPARE(run({"simulate", "--help"}).output, outcome.output);

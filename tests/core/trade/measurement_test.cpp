@@ -30,7 +30,8 @@ std::shared_ptr<const core::Scene> chaos() {
   for (int i = 0; i < 12; ++i) {
     core::Weight disc;
     disc.radius = 0.1;
-    disc.position = {0.4 + 0.4 * (i % 4), 0.5 + 0.45 * (i / 4)};
+    const int column = i % 4, row = i / 4;
+    disc.position = {0.4 + 0.4 * column, 0.5 + 0.45 * row};
     disc.velocity = {std::cos(i * i), std::sin(3 * i)};
     scene.weights.push_back(disc);
   }
