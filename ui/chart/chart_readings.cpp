@@ -23,7 +23,7 @@ QString withUnit(double value, const QString& unit) {
 
 /// @param amount  what is read off there
 QString textOf(const ChartContent& content, const core::TimedPoint& point, double amount) {
-  const QString y = withUnit(amount, content.vertical.unit);
+  QString y = withUnit(amount, content.vertical.unit);
   if (content.overTime) return y;
   return Words::tr("%1; %2").arg(withUnit(point.x, content.horizontal.unit), y);
 }
