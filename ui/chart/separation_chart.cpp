@@ -8,9 +8,10 @@
 #include <QEvent>
 #include <QLineSeries>
 
-#include "ui/chart/curve_points.h"
-#include "ui/chart/figure_text.h"
-#include "ui/chart/nice_scale.h"
+#include "ui/chart/chart_content.h"
+#include "ui/chart/chart_scales.h"
+#include "ui/chart/curve_pieces.h"
+#include "ui/chart/line_series.h"
 #include "ui/chart/run_pen.h"
 
 namespace ui {
@@ -25,12 +26,12 @@ constexpr QSize kLeastSize(290, 160);
 /// Thinned, in the units of the axes.
 QList<QPointF> pointsOf(const core::SeparationSeries& series, std::size_t most,
                         double distanceUnit) {
-  std::vector<core::CurvePoint> all;
+  std::vector<core::TimedPoint> all;
   all.reserve(series.samples().size());
   for (const core::Separation& sample : series.samples())
-    if (std::isfinite(sample.distance)) all.push_back({sample.time, sample.distance});
+    if (std::isfinite(sample.distance)) all.push_back({sample.time, sample.time, sample.distance});
   QList<QPointF> points;
-  for (const core::CurvePoint& point : core::thinned(all, most))
+  for (const core::TimedPoint& point : core::thinned(all, most))
     points.append({point.x, point.y / distanceUnit});
   return points;
 }
@@ -54,9 +55,12 @@ SeparationChart::~SeparationChart() {
 
 void SeparationChart::setCurves(std::vector<SeparationCurve> curves) {
   m_curves = std::move(curves);
-  m_frame->removeCurves();
+  chart()->removeAllSeries();
   m_lines.clear();
-  for (const SeparationCurve& curve : m_curves) m_lines.push_back(m_frame->addCurve(curve.name));
+  for (const SeparationCurve& curve : m_curves) {
+    m_lines.push_back(addLineSeries(chart()));
+    m_lines.back()->setName(curve.name);
+  }
   refresh();
 }
 
@@ -77,18 +81,24 @@ double SeparationChart::largestDistance() const {
 }
 
 void SeparationChart::refresh() {
-  const double largest = largestDistance();
-  const ScaledUnit distance = scaledUnit(largest, tr("m"));
-  m_frame->setHorizontal(niceScale(0, lastTime(), m_frame->horizontalIntervals()), tr("Time (s)"));
-  m_frame->setVertical(niceScale(0, largest / distance.size, m_frame->verticalIntervals()),
-                       tr("Distance (%1)").arg(distance.symbol));
+  const ChartAxis time{.quantity = tr("Time"), .unit = tr("s"), .prefixed = false};
+  const ChartAxis distance{.quantity = tr("Distance"), .unit = tr("m")};
+  const AxisScale across =
+      axisScale(time, 0, lastTime(), m_frame->horizontalIntervals(), AxisEnds::kOnTicks);
+  const AxisScale up =
+      axisScale(distance, 0, largestDistance(), m_frame->verticalIntervals(), AxisEnds::kOnTicks);
+  m_frame->setHorizontal(across, time.quantity);
+  m_frame->setVertical(up, distance.quantity);
+  const QSizeF plot = m_frame->plotSize();
+  const QSizeF unitSize(plot.width() / (across.highest - across.lowest),
+                        plot.height() / (up.highest - up.lowest));
   const std::size_t most = mostPointsPerCurve(m_curves.size(), kMostPoints);
   const Theme& theme = m_frame->look().theme;
   for (std::size_t i = 0; i < m_curves.size(); ++i) {
     const std::size_t place = m_curves[i].place;
-    const QList<QPointF> points = pointsOf(*m_curves[i].series, most, distance.size);
+    const QList<QPointF> points = pointsOf(*m_curves[i].series, most, up.unit.size);
     const QColor& color = theme.runs[place % theme.runs.size()];
-    const bool dense = isTooDenseForDashes(points, m_frame->unitSize());
+    const bool dense = isTooDenseForDashes(points, unitSize);
     m_lines[i]->setPen(dense ? densePen(color) : runPen(color, kWidth, place));
     m_lines[i]->replace(points);
   }

@@ -9,7 +9,9 @@
 #include <QLineSeries>
 #include <QPainter>
 
-#include "ui/chart/nice_scale.h"
+#include "ui/chart/chart_content.h"
+#include "ui/chart/chart_scales.h"
+#include "ui/chart/line_series.h"
 #include "ui/style/stage_color.h"
 
 namespace ui {
@@ -50,7 +52,7 @@ StepPlot::StepPlot(QWidget* parent)
   setFrameShape(QFrame::NoFrame);
   setMinimumSize(kLeastSize);
   setAccessibleName(tr("The step against time"));
-  m_exact = m_frame->addCurve(tr("Exact"));
+  m_exact = addLineSeries(chart());
   connect(m_frame, &ChartFrame::resized, this, &StepPlot::draw);
   readLook();
 }
@@ -99,10 +101,14 @@ void StepPlot::draw() {
     }
     // Where nothing changes the scale must still have a height.
     const double room = std::max(0.06 * (highest - lowest), 1e-9 * (1 + std::abs(highest)));
-    m_frame->setHorizontal(niceScale(m_step.start.x(), last, m_frame->horizontalIntervals()),
-                           tr("Time (s)"));
-    m_frame->setVertical(niceScale(lowest - room, highest + room, m_frame->verticalIntervals()),
-                         m_step.axisTitle);
+    const ChartAxis time{.quantity = tr("Time"), .unit = tr("s"), .prefixed = false};
+    const ChartAxis value{.quantity = m_step.quantity, .unit = m_step.unit, .prefixed = false};
+    m_frame->setHorizontal(
+        axisScale(time, m_step.start.x(), last, m_frame->horizontalIntervals(), AxisEnds::kOnTicks),
+        time.quantity);
+    m_frame->setVertical(axisScale(value, lowest - room, highest + room,
+                                   m_frame->verticalIntervals(), AxisEnds::kOnTicks),
+                         value.quantity);
   }
   viewport()->update();
 }

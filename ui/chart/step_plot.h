@@ -28,7 +28,8 @@ struct PlottedEnd {
 
 /// One quantity of a weight inside one step, in the unit it is shown in.
 struct PlottedStep {
-  QString axisTitle;     ///< "θ (°)"
+  QString quantity;      ///< "θ"
+  QString unit;          ///< "°"
   QPointF start;         ///< time [s], quantity
   double duration = 0;   ///< [s], > 0
   QList<QPointF> exact;  ///< the way without a method's error

@@ -189,7 +189,8 @@ PlottedStep StepPanel::plotted(const core::StepPart& part, const core::ExactWay&
     return entries[quantity.entry] / quantity.size;
   };
   PlottedStep step;
-  step.axisTitle = tr("%1 (%2)").arg(quantity.symbol, quantity.unit);
+  step.quantity = quantity.symbol;
+  step.unit = quantity.unit;
   step.start = {part.begin, value(part.beginState)};
   step.duration = part.duration();
   for (std::size_t i = 0; i < exact.times.size(); ++i)
