@@ -16,20 +16,32 @@ struct Sweep {
   double square = 0;   // of all changes, in the metric of the masses [J]
 };
 
+/// Sets the push of one contact right, as the others are.
+void settle(PushRow& row, ContactProblem& problem) {
+  Eigen::Vector2d& a = problem.velocities[row.a];
+  Eigen::Vector2d& b = problem.velocities[row.b];
+  const double approach = row.normalA.dot(a) - row.normalB.dot(b) + row.gapSpeed;
+  const double pushed = std::max(0.0, row.push - approach * row.stiffness);
+  row.change = pushed - row.push;
+  row.push = pushed;
+  a += row.change * row.responseA;
+  b -= row.change * row.responseB;
+}
+
 void sweepPushes(ContactProblem& problem, Sweep& sweep) {
   for (PushRow& row : problem.pushes) {
-    Eigen::Vector2d& a = problem.velocities[row.a];
-    Eigen::Vector2d& b = problem.velocities[row.b];
-    const double approach = row.normalA.dot(a) - row.normalB.dot(b) + row.gapSpeed;
-    const double pushed = std::max(0.0, row.push - approach * row.stiffness);
-    row.change = pushed - row.push;
-    row.push = pushed;
-    a += row.change * row.responseA;
-    b -= row.change * row.responseB;
+    settle(row, problem);
     const double speed = std::abs(row.change) * row.compliance;
     sweep.largest = std::max(sweep.largest, speed);
     sweep.square += speed * std::abs(row.change);
   }
+}
+
+/// Surfaces have the last word: whatever is left unsolved, nothing leaves the room.
+void keepInside(ContactProblem& problem) {
+  const int surface = static_cast<int>(problem.velocities.size()) - 1;
+  for (PushRow& row : problem.pushes)
+    if (row.b == surface) settle(row, problem);
 }
 
 void sweepDrags(ContactProblem& problem, Sweep& sweep) {
@@ -97,8 +109,11 @@ bool solveBySweeps(ContactProblem& problem, const ContactGoal& goal) {
     Sweep sweep;
     sweepPushes(problem, sweep);
     sweepDrags(problem, sweep);
-    if (sweep.largest <= goal.tolerance) return true;
-    if (count >= goal.mostSweeps) return false;  // further on may be no push
+    const bool solved = sweep.largest <= goal.tolerance;
+    if (solved || count >= goal.mostSweeps) {  // further on may be no push
+      keepInside(problem);
+      return solved;
+    }
     const double share = lastSquare > 0 ? sweep.square / lastSquare : 2;
     lastSquare = sweep.square;
     // A growing residual means that another set of contacts pushes now: start anew.

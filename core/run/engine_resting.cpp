@@ -15,10 +15,10 @@ namespace {
 // Forces in groups are found anew this often [1/s].
 constexpr double kSolvesPerSecond = 240;
 // What impacts leave of approaches, the forces of the same stretch take.
-constexpr ContactGoal kImpactGoal{.tolerance = 1e-5, .mostSweeps = 600};
+constexpr ContactGoal kImpactGoal{.tolerance = 1e-5, .mostSweeps = 300};
 // 10⁻⁶ m/s makes a gap of 4 nm in a stretch. Where friction holds a heap in more ways than it
 // need be held, pushes go on changing without end, and with them velocities by less than that.
-constexpr ContactGoal kSupportGoal{.tolerance = 1e-6, .mostSweeps = 600};
+constexpr ContactGoal kSupportGoal{.tolerance = 1e-6, .mostSweeps = 300};
 // A group falls asleep when all its weights have been slower than this share of √(2 g r)
 // for this many times √(2 r / g), the time in which what stands on a point leaves it by a
 // factor of e: one that sets out to roll off another from 10⁻⁸ r off its top is faster by
@@ -45,13 +45,13 @@ std::vector<int> Engine::wakeTouching() {
     members.push_back(index);
     const Piece& piece = m_moving[index].piece;
     const Eigen::Vector2d place = positionOf(m_bodies[index], piece.mode, piece.endState);
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(m_bodies[index].radius + kTouchingGap);
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(m_bodies[index].radius + 2 * kSkin);
     m_broadPhase.forEachNear({place - margin, place + margin}, [&](int other) {
       Moving& moving = m_moving[other];
       if (!moving.asleep) return;
       const Eigen::Vector2d there =
           positionOf(m_bodies[other], moving.piece.mode, moving.piece.beginState);
-      const double touching = m_bodies[index].radius + m_bodies[other].radius + kTouchingGap;
+      const double touching = m_bodies[index].radius + m_bodies[other].radius + 2 * kSkin;
       if ((there - place).squaredNorm() > touching * touching) return;
       moving.asleep = false;
       moving.stillFor = 0;

@@ -10,9 +10,9 @@ namespace core {
 namespace {
 
 // After a hit, until the next solve, this is enough [m/s], or this share of the hit.
-constexpr double kHitTolerance = 1e-5;
-constexpr double kHitShare = 1e-5;
-constexpr int kMostSweeps = 600;
+constexpr double kHitTolerance = 3e-5;
+constexpr double kHitShare = 5e-5;
+constexpr int kMostSweeps = 300;
 // While a hit is still reaching others, so many sweeps carry it on.
 constexpr int kSweepsPerRing = 2;
 

@@ -57,7 +57,7 @@ void Engine::Group::lookAt(int local, int other) {
   const int lower = std::min(index, other), higher = std::max(index, other);
   if (!m_pairs.emplace(lower, higher).second) return;
   const Eigen::Vector2d normal = (index == lower ? 1 : -1) * apart.normalized();
-  addContact({localOf(lower), localOf(higher), normal, gap, 0, 0, 0}, higher);
+  addContact({localOf(lower), localOf(higher), normal, gap - kSkin, 0, 0, 0}, higher);
 }
 
 void Engine::Group::addSurfacesOf(int local) {

@@ -15,6 +15,10 @@ enum Surface { kFloor = -1, kCeiling = -2, kWest = -3, kEast = -4, kRopeEnd = -5
 /// Gaps up to this count as touching within a group [m].
 constexpr double kTouchingGap = 1e-9;
 
+/// Weights that lean on each other are kept this far apart [m]: what a bounded number of sweeps
+/// leaves unsolved in a stretch is less, so that they do not overlap.
+constexpr double kSkin = 2e-6;
+
 /// Some settled weights with their contacts, in the solver's terms.
 class Engine::Group {
  public:

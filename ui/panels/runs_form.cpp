@@ -136,6 +136,9 @@ void RunsForm::setMethod(int index, const QString& id) {
     solver.method = id.toStdString();
     if (core::isReference(solver)) solver = core::referenceSolver(draft.solvers.front().step);
     if (wasReference) solver.tolerance = core::Solver().tolerance;
+    // Files hold no step for those that choose their own.
+    if (core::findMethod(solver.method)->isAdaptive && !core::isReference(solver))
+      solver.step = core::Solver().step;
   });
 }
 
