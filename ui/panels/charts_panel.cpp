@@ -202,6 +202,7 @@ ChartSubject ChartsPanel::subject() const {
   const int chosen = m_runs->currentIndex() - 1;
   if (chosen >= 0) {
     subject.runs = {charted(chosen)};
+    subject.firstRun = static_cast<std::size_t>(chosen);
     return subject;
   }
   for (int i = 0; i < m_controller->runCount(); ++i) subject.runs.push_back(charted(i));
