@@ -1,6 +1,7 @@
 #include <QDockWidget>
 #include <QLocale>
 #include <QSettings>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -9,6 +10,7 @@
 #include "ui/control/run_controller.h"
 #include "ui/files/scene_file.h"
 #include "ui/main_window.h"
+#include "ui/panels/charts_panel.h"
 
 using ui::MainWindow;
 
@@ -37,6 +39,7 @@ class WindowSizeTest : public QObject {
   void initTestCase();
   void fitsOnAProjector_data();
   void fitsOnAProjector();
+  void showsAllTabsOfTheChartsOnAProjector();
 
  private:
   QTemporaryDir m_folder;
@@ -67,6 +70,20 @@ void WindowSizeTest::fitsOnAProjector() {
   const QSize room = kScreen - QSize(0, kTitleBar);
   QVERIFY2(least.boundedTo(room) == least,
            qPrintable(QString("%1 × %2 px").arg(least.width()).arg(least.height())));
+}
+
+void WindowSizeTest::showsAllTabsOfTheChartsOnAProjector() {
+  MainWindow window(sceneWith(4));
+  window.setWindowState(Qt::WindowNoState);
+  window.resize(kScreen - QSize(0, kTitleBar));
+  window.show();
+  auto* charts = window.findChild<ui::ChartsPanel*>();
+  auto* tabs = charts->choosers()->findChild<QTabBar*>();
+  for (int kind = 0; kind < tabs->count(); ++kind) {
+    charts->chooseKind(kind);
+    QCoreApplication::processEvents();
+    QVERIFY2(tabs->width() >= tabs->sizeHint().width(), qPrintable(tabs->tabText(kind)));
+  }
 }
 
 QTEST_MAIN(WindowSizeTest)

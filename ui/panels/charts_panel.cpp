@@ -29,7 +29,8 @@ namespace ui {
 
 namespace {
 
-constexpr int kRunLetters = 7;
+constexpr int kRunLetters = 6;
+constexpr int kSpacing = 4;  // px: at 1280 px all tabs must stay in sight
 
 /// Tabs whose arrow keys come before the window's while they have the focus.
 class KindTabs : public QTabBar {
@@ -112,6 +113,7 @@ void ChartsPanel::buildChoosers() {
 
   auto* layout = new QHBoxLayout(m_choosers);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kSpacing);
   layout->addWidget(m_kinds);
   layout->addWidget(m_weight);
   layout->addWidget(m_runs);
