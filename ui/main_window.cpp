@@ -47,6 +47,7 @@ namespace ui {
 namespace {
 
 constexpr QSize kFirstSize(1600, 900);
+constexpr QSize kFrame(8, 48);
 constexpr double kChartShare = 0.4;  // of the height that scene and chart have together
 constexpr int kMessageTime = 6000;   // ms
 
@@ -87,7 +88,9 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   setWindowIcon(icon("angrycuts"));
   const QSize available = screen()->availableSize();
   resize(kFirstSize.boundedTo(available));
-  if (kFirstSize.boundedTo(available) != kFirstSize) setWindowState(Qt::WindowMaximized);
+  // The desktop's frame needs room, too.
+  const QSize framed = kFirstSize + kFrame;
+  if (framed.boundedTo(available) != framed) setWindowState(Qt::WindowMaximized);
   buildCentre();
   buildPanels();
   buildMenus();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <QString>
@@ -21,6 +22,8 @@ struct ChartSubject {
   std::vector<ChartedRun> runs;
   const core::Scene* scene = nullptr;  ///< only needed for weights
   std::vector<int> weights;            ///< in charts of single weights; only those followed
+  /// Place of the first of the runs among the window's: decides marks, colors and dashes.
+  std::size_t firstRun = 0;
 };
 
 /// What an axis measures.

@@ -56,6 +56,8 @@ void showScale(QValueAxis& axis, const AxisScale& scale, const QString& title) {
 constexpr double kPadding = 0.7;
 // Of a heading beside the plot, in the same unit.
 constexpr double kWidthBeside = 19;
+// Of a plot with its axes that has no line to spare, in the same unit.
+constexpr double kLow = 12;
 
 }  // namespace
 
@@ -127,13 +129,19 @@ QSizeF ChartFrame::plotSize() const {
 }
 
 void ChartFrame::layOut() {
-  m_isLow = putHeadingBeside();
-  if (!m_isLow) putHeadingAbove();
+  const bool isBeside =
+      putHeadingBeside(HeadingDensity::kFull) || putHeadingBeside(HeadingDensity::kCompact);
+  if (isBeside) {
+    m_isLow = true;
+  } else {
+    const double left = m_chart->size().height() - putHeadingAbove();
+    m_isLow = left < kLow * m_look.font.pixelSize();
+  }
 }
 
 /// Where the chart is wide and low its height belongs to the plot.
 /// @return  whether there is room
-bool ChartFrame::putHeadingBeside() {
+bool ChartFrame::putHeadingBeside(HeadingDensity density) {
   constexpr double kWide = 2.4;   // of the height
   constexpr double kShare = 0.4;  // of the width, at most
   const int em = m_look.font.pixelSize();
@@ -141,19 +149,21 @@ bool ChartFrame::putHeadingBeside() {
   if (size.width() < kWide * size.height()) return false;
   const int pad = padding();
   const double width = std::min(kShare * size.width(), kWidthBeside * em);
-  const double height = m_heading->layOut(width);
+  const double height = m_heading->layOut(width, density);
   if (height + 2 * pad > size.height()) return false;
   m_heading->setPos(size.width() - width - pad, pad);
   setMargins({pad, 3 * pad / 2, qRound(width) + 3 * pad, pad});
   return true;
 }
 
-void ChartFrame::putHeadingAbove() {
+/// @return  the height it takes [px]
+double ChartFrame::putHeadingAbove() {
   const int pad = padding();
   m_heading->setPos(pad, pad);
   const double height = m_heading->layOut(m_chart->size().width() - 2 * pad);
   // On the right half a label stands out over the last tick.
   setMargins({pad, qRound(height) + 3 * pad / 2, 2 * pad, pad});
+  return height;
 }
 
 void ChartFrame::setMargins(const QMargins& margins) {

@@ -43,8 +43,8 @@ class ChartFrame : public QObject {
 
  private:
   void layOut();
-  bool putHeadingBeside();
-  void putHeadingAbove();
+  bool putHeadingBeside(HeadingDensity density);
+  double putHeadingAbove();
   void setMargins(const QMargins& margins);
   int padding() const;
   QValueAxis* addAxis(Qt::Alignment side);
@@ -55,7 +55,7 @@ class ChartFrame : public QObject {
   QValueAxis* m_vertical;
   ChartHeading* m_heading;
   ChartLook m_look;
-  bool m_isLow = false;  // the heading stands beside the plot
+  bool m_isLow = false;  // no line to spare for the title of the time axis
 };
 
 }  // namespace ui

@@ -18,6 +18,7 @@ constexpr double kMarkOutline = 2;
 // In multiples of the font's size.
 constexpr double kTitleSize = 1.2;
 constexpr double kRowHeight = 1.35;
+constexpr double kCompactRowHeight = 1.2;
 constexpr double kTextGap = 0.2;
 constexpr double kMarkSize = 0.75;
 constexpr double kLineLength = 1.8;
@@ -38,7 +39,8 @@ void ChartHeading::setContent(HeadingContent content) {
   m_content = std::move(content);
 }
 
-double ChartHeading::layOut(double width) {
+double ChartHeading::layOut(double width, HeadingDensity density) {
+  m_density = density;
   prepareGeometryChange();
   m_pieces.clear();
   m_bounds = QRectF(0, 0, width, 0);
@@ -102,15 +104,17 @@ void ChartHeading::placeEntry(const HeadingEntry& entry, double figuresX) {
   QFont font = m_look.font;
   font.setStrikeOut(entry.hidden);
   const QColor color = entry.hidden ? m_look.theme.faintText : m_look.theme.text;
-  m_pieces.push_back({place(m_rowEnd, labelWidth(entry)), &entry, entry.text, font, color, kInRow});
+  const double room = m_bounds.width() - m_rowEnd - symbolWidth(entry);
+  const QString label = QFontMetricsF(font).elidedText(labelOf(entry), Qt::ElideRight, room);
+  m_pieces.push_back({place(m_rowEnd, labelWidth(entry)), &entry, label, font, color, kInRow});
   if (!entry.figures.isEmpty()) {
     const double needed = QFontMetricsF(m_look.font).horizontalAdvance(entry.figures);
     if (figuresX + needed > m_bounds.width()) {
       beginRow();
       figuresX = symbolWidth(entry);
     }
-    m_pieces.push_back({place(figuresX, figuresWidth(entry)), nullptr, entry.figures, m_look.font,
-                        m_look.theme.drift, kInRow});
+    m_pieces.push_back({place(figuresX, figuresWidth(entry)), nullptr, entry.figures, font,
+                        entry.hidden ? color : m_look.theme.drift, kInRow});
   }
   m_rowEnd = m_pieces.back().place.right() + kLargeGap * em();
 }
@@ -125,8 +129,14 @@ double ChartHeading::widthInOneRow(const std::vector<HeadingEntry>& entries) con
 
 /// With the gap that parts it from figures.
 double ChartHeading::labelWidth(const HeadingEntry& entry) const {
-  const double gap = entry.figures.isEmpty() ? 0 : kFiguresGap * em();
-  return symbolWidth(entry) + QFontMetricsF(m_look.font).horizontalAdvance(entry.text) + gap;
+  const QString label = labelOf(entry);
+  const double gap = entry.figures.isEmpty() || label.isEmpty() ? 0 : kFiguresGap * em();
+  return symbolWidth(entry) + QFontMetricsF(m_look.font).horizontalAdvance(label) + gap;
+}
+
+QString ChartHeading::labelOf(const HeadingEntry& entry) const {
+  const bool isCompact = m_density == HeadingDensity::kCompact;
+  return isCompact && !entry.figures.isEmpty() ? QString() : entry.text;
 }
 
 double ChartHeading::figuresWidth(const HeadingEntry& entry) const {
@@ -182,7 +192,7 @@ double ChartHeading::em() const {
 }
 
 double ChartHeading::rowHeight() const {
-  return kRowHeight * em();
+  return (m_density == HeadingDensity::kFull ? kRowHeight : kCompactRowHeight) * em();
 }
 
 }  // namespace ui

@@ -33,6 +33,12 @@ struct HeadingContent {
   std::vector<HeadingEntry> runs;    ///< in one row, or each in its own with aligned figures
 };
 
+/// How much room a heading takes.
+enum class HeadingDensity {
+  kFull,
+  kCompact,  ///< rows close together; a run with figures goes by its mark and line alone
+};
+
 /// What stands above the plot: title, legend, figures. A legend of our own because Qt's
 /// cuts off words where space is short, and has an entry for each curve.
 class ChartHeading : public QGraphicsItem {
@@ -44,7 +50,7 @@ class ChartHeading : public QGraphicsItem {
 
   /// Breaks rows to fit the width [px] and returns the height they take [px]. To be called
   /// after a change of look or content.
-  double layOut(double width);
+  double layOut(double width, HeadingDensity density = HeadingDensity::kFull);
 
   /// The entry at a place, in coordinates of this item; null: none.
   const HeadingEntry* entryAt(QPointF place) const;
@@ -69,6 +75,7 @@ class ChartHeading : public QGraphicsItem {
   /// At the end of the last row; the figures in the next one if they do not fit.
   void placeEntry(const HeadingEntry& entry, double figuresX);
   void beginRow();
+  QString labelOf(const HeadingEntry& entry) const;
   double labelWidth(const HeadingEntry& entry) const;
   double figuresWidth(const HeadingEntry& entry) const;
   double widthInOneRow(const std::vector<HeadingEntry>& entries) const;
@@ -79,6 +86,7 @@ class ChartHeading : public QGraphicsItem {
 
   ChartLook m_look;
   HeadingContent m_content;
+  HeadingDensity m_density = HeadingDensity::kFull;
   std::vector<Piece> m_pieces;
   QRectF m_bounds;
   double m_rowEnd = 0;  // where the last row's next entry may begin [px]

@@ -140,8 +140,9 @@ void paintDots(QPainter& painter, const std::vector<ChartReading>& readings, con
   for (const ChartReading& reading : readings) {
     const QPointF place = toPlot.map(reading.place);
     if (!plotArea.adjusted(-1, -1, 1, 1).contains(place)) continue;
-    painter.setPen(QPen(reading.run == 0 ? theme.room : reading.color, 1.5));
-    painter.setBrush(reading.run == 0 ? reading.color : theme.room);
+    const bool isFilled = plot.subject().firstRun + reading.run == 0;
+    painter.setPen(QPen(isFilled ? theme.room : reading.color, 1.5));
+    painter.setBrush(isFilled ? reading.color : theme.room);
     painter.drawEllipse(place, kDotRadius, kDotRadius);
   }
 }

@@ -244,8 +244,8 @@ DrawnCurve ChartPlot::drawnCurve(std::size_t index, std::size_t most) const {
 
   DrawnCurve drawn;
   drawn.name = curve.name;
-  drawn.run = curve.run;
-  drawn.pen = runPen(curve.color, curve.width, curve.run);
+  drawn.run = m_subject.firstRun + curve.run;
+  drawn.pen = runPen(curve.color, curve.width, drawn.run);
   drawn.lines = piecesInside(points, range, most);
   if (curve.style != CurveStyle::kLine) {
     drawn.areas = areasInside(points, curve.base, range, most);
@@ -265,7 +265,7 @@ DrawnCurve ChartPlot::drawnCurve(std::size_t index, std::size_t most) const {
                                [&](const QPolygonF& line) { return isTooDense(line, unit); });
   };
   drawn.dense = isAny(isTooDenseForSmoothLines);
-  const bool noDashes = curve.run > 0 && isAny(isTooDenseForDashes);
+  const bool noDashes = drawn.run > 0 && isAny(isTooDenseForDashes);
   if (drawn.dense || noDashes) drawn.pen = densePen(curve.color);
   return drawn;
 }

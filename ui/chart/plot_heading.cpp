@@ -50,9 +50,10 @@ std::vector<HeadingEntry> runEntries(const ChartSubject& subject, const ChartCon
   for (std::size_t i = 0; i < subject.runs.size(); ++i) {
     HeadingEntry entry;
     entry.run = i;
-    entry.mark = theme.runs[i % theme.runs.size()];
-    entry.markFilled = i == 0;
-    entry.line = runPen(theme.text, kLineWidth, i);
+    const std::size_t place = subject.firstRun + i;
+    entry.mark = theme.runs[place % theme.runs.size()];
+    entry.markFilled = place == 0;
+    entry.line = runPen(theme.text, kLineWidth, place);
     entry.text = subject.runs[i].name;
     entry.hidden = hidden.runs.contains(i);
     if (content.energies) {

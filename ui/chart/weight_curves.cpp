@@ -38,8 +38,9 @@ std::vector<ChartCurve> weightCurves(const ChartSubject& subject, const Theme& t
       ChartCurve curve;
       curve.name = weightName(weight);
       curve.run = run;
-      curve.color =
-          alone ? theme.runs[run % theme.runs.size()] : colorInScene(*subject.scene, weight, theme);
+      const std::size_t place = subject.firstRun + run;
+      curve.color = alone ? theme.runs[place % theme.runs.size()]
+                          : colorInScene(*subject.scene, weight, theme);
       if (alone) curve.width = kBold;
       curve.points = pointsOf(*track, read);
       curves.push_back(std::move(curve));

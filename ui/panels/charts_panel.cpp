@@ -29,7 +29,8 @@ namespace ui {
 
 namespace {
 
-constexpr int kRunLetters = 7;
+constexpr int kRunLetters = 6;
+constexpr int kSpacing = 4;  // px: at 1280 px all tabs must stay in sight
 
 /// Tabs whose arrow keys come before the window's while they have the focus.
 class KindTabs : public QTabBar {
@@ -112,6 +113,7 @@ void ChartsPanel::buildChoosers() {
 
   auto* layout = new QHBoxLayout(m_choosers);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kSpacing);
   layout->addWidget(m_kinds);
   layout->addWidget(m_weight);
   layout->addWidget(m_runs);
@@ -202,6 +204,7 @@ ChartSubject ChartsPanel::subject() const {
   const int chosen = m_runs->currentIndex() - 1;
   if (chosen >= 0) {
     subject.runs = {charted(chosen)};
+    subject.firstRun = static_cast<std::size_t>(chosen);
     return subject;
   }
   for (int i = 0; i < m_controller->runCount(); ++i) subject.runs.push_back(charted(i));

@@ -26,6 +26,7 @@ namespace {
 enum Column { kName, kDistance, kDrift, kDriftShare, kEvaluations, kColumnCount };
 
 constexpr int kPause = 100;       // ms: figures that change faster cannot be read
+constexpr int kRowPadding = 6;    // px, above and below together
 constexpr int kCellPadding = 12;  // px, both sides together
 const QString kNothing = QStringLiteral("–");
 
@@ -88,9 +89,10 @@ void ComparisonPanel::buildTable() {
   m_table->horizontalHeaderItem(kEvaluations)->setToolTip(tr("Slope evaluations so far"));
   m_table->setAccessibleName(tr("Runs in figures"));
   m_table->verticalHeader()->hide();
-  // Long names take two lines.
-  m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kCellPadding);
-  m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // One line each, so that all four are in sight in the lowest window.
+  m_table->setWordWrap(false);
+  m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kRowPadding);
+  m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRowPadding);
   QHeaderView* header = m_table->horizontalHeader();
   header->setSectionResizeMode(QHeaderView::ResizeToContents);
   header->setSectionResizeMode(kName, QHeaderView::Stretch);

@@ -143,9 +143,8 @@ QVariant EventTable::headerData(int section, Qt::Orientation orientation, int ro
   if (role == Qt::ToolTipRole && isSpeed)
     return tr("Of the weight; where two meet, of the first named");
   if (role != Qt::DisplayRole) return {};
-  const QString names[] = {
-      tr("Time (s)"),          tr("Event"),          tr("Weight"), tr("Speed before (m/s)"),
-      tr("Speed after (m/s)"), tr("Energy lost (J)")};
+  const QString names[] = {tr("Time (s)"),       tr("Event"),         tr("Weight"),
+                           tr("v before (m/s)"), tr("v after (m/s)"), tr("Energy lost (J)")};
   return names[section];
 }
 

@@ -50,7 +50,7 @@ QWidget* table(const std::vector<Line>& lines) {
   auto* widget = new QWidget;
   auto* grid = new QGridLayout(widget);
   grid->setHorizontalSpacing(16);
-  grid->setVerticalSpacing(6);
+  grid->setVerticalSpacing(2);
   grid->setColumnMinimumWidth(2, 16);
   const int half = (static_cast<int>(lines.size()) + 1) / 2;
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {

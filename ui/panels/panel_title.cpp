@@ -11,6 +11,7 @@ namespace ui {
 namespace {
 
 constexpr QSize kIconSize(14, 14);
+constexpr int kSpacing = 4;  // px
 
 QToolButton* button(const QString& iconName, const QString& tip) {
   auto* button = new QToolButton;
@@ -26,11 +27,13 @@ QToolButton* button(const QString& iconName, const QString& tip) {
 
 PanelTitle::PanelTitle(QDockWidget* panel, QWidget* extra) : QWidget(panel) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 4, 6, 0);
+  layout->setContentsMargins(12, 4, 4, 0);
+  layout->setSpacing(kSpacing);
   auto* name = new QLabel(panel->windowTitle());
   QFont bold = name->font();
   bold.setBold(true);
   name->setFont(bold);
+  name->setContentsMargins(0, 0, kSpacing, 0);
   layout->addWidget(name);
   if (extra) layout->addWidget(extra);
   // Something extra may take the whole line if it likes to.

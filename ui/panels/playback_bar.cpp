@@ -24,6 +24,7 @@ constexpr int kFastest = 2;
 constexpr double kTimeType = 2;       // times the base type
 constexpr double kMostlyKept = 0.97;  // of the speed: less is noticed and shown
 constexpr QSize kIconSize(26, 26);
+constexpr int kSliderWidth = 120;  // px
 
 int exponentOf(double speed) {
   return std::clamp(static_cast<int>(std::lround(std::log2(speed))), kSlowest, kFastest);
@@ -31,6 +32,10 @@ int exponentOf(double speed) {
 
 QString speedText(double speed) {
   return fractionText(speed) + QStringLiteral("×");
+}
+
+QString slowText(double keptShare) {
+  return PlaybackBar::tr("too slow: %1 %").arg(QLocale().toString(100 * keptShare, 'f', 0));
 }
 
 QToolButton* buttonFor(QAction* action, Qt::ToolButtonStyle style) {
@@ -52,7 +57,7 @@ PlaybackBar::PlaybackBar(const Commands& commands, QWidget* parent)
       m_paceLabel(new QLabel) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 16, 2);
-  layout->setSpacing(16);
+  layout->setSpacing(12);
   layout->addWidget(buttons(commands));
   layout->addWidget(speedBox());
   layout->addStretch(1);
@@ -83,7 +88,7 @@ QWidget* PlaybackBar::speedBox() {
   m_speedSlider->setPageStep(1);
   m_speedSlider->setTickPosition(QSlider::TicksBelow);
   m_speedSlider->setFocusPolicy(Qt::TabFocus);
-  m_speedSlider->setFixedWidth(140);
+  m_speedSlider->setFixedWidth(kSliderWidth);
   m_speedSlider->setAccessibleName(tr("Speed"));
   m_speedSlider->setToolTip(tr("Speed (, and .)"));
   m_speedLabel->setAlignment(Qt::AlignHCenter);
@@ -108,8 +113,10 @@ QWidget* PlaybackBar::timeBox() {
   m_timeLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_timeLabel->setAccessibleName(tr("Simulated time"));
   // Room for the longest common text, so that nothing moves while the digits do.
-  m_timeLabel->setMinimumWidth(m_timeLabel->fontMetrics().horizontalAdvance("0000.000 s"));
+  m_timeLabel->setMinimumWidth(m_timeLabel->fontMetrics().horizontalAdvance("000.000 s"));
   m_paceLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  m_paceLabel->setToolTip(tr("How much of the chosen speed the computer keeps up with"));
+  m_paceLabel->setMinimumWidth(m_paceLabel->fontMetrics().horizontalAdvance(slowText(0.96)));
   layout->addWidget(m_paceLabel);
   layout->addWidget(m_timeLabel);
   return box;
@@ -126,10 +133,7 @@ void PlaybackBar::showSpeed(double speed) {
 }
 
 void PlaybackBar::showKeptShare(double keptShare) {
-  const QString text =
-      keptShare >= kMostlyKept
-          ? tr("in real time")
-          : tr("too slow: %1 % of the speed").arg(QLocale().toString(100 * keptShare, 'f', 0));
+  const QString text = keptShare >= kMostlyKept ? tr("in real time") : slowText(keptShare);
   if (text != m_paceLabel->text()) m_paceLabel->setText(text);
 }
 

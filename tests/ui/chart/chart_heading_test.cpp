@@ -70,6 +70,7 @@ class ChartHeadingTest : public QObject {
   void takesAsManyRowsAsItsWidthNeeds_data();
   void takesAsManyRowsAsItsWidthNeeds();
   void keepsRunsApartFromALegendOfSeveralRows();
+  void takesOneRowPerRunWhereRoomIsScarce();
   void takesNoRoomWhenEmpty();
   void keepsItsPlacesWhenFiguresChange();
   void putsTitleNoteAndWarningInRowsOfTheirOwn();
@@ -105,6 +106,17 @@ void ChartHeadingTest::keepsRunsApartFromALegendOfSeveralRows() {
   heading.setContent(content);
   // The last word of the legend alone in its row would leave room for the run.
   QCOMPARE(heading.layOut(360), 3.0 * kRow);
+}
+
+void ChartHeadingTest::takesOneRowPerRunWhereRoomIsScarce() {
+  ChartHeading heading(nullptr);
+  heading.setLook(look());
+  heading.setContent(twoRuns());
+  // As narrow as where figures stand below names: two rows of legend, one for each run.
+  constexpr int kCompactRow = 24;
+  QCOMPARE(heading.layOut(250, ui::HeadingDensity::kCompact), 4.0 * kCompactRow);
+  QCOMPARE(rowsWithMarks(painted(heading)), 2);
+  QCOMPARE(heading.layOut(250), 6.0 * kRow);
 }
 
 void ChartHeadingTest::takesNoRoomWhenEmpty() {

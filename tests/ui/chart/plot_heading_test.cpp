@@ -16,9 +16,10 @@ using ui::HeadingEntry;
 
 namespace {
 
-HeadingContent headingOf(const std::vector<ChartedRun>& runs, const ui::HiddenCurves& hidden = {}) {
+HeadingContent headingOf(const std::vector<ChartedRun>& runs, const ui::HiddenCurves& hidden = {},
+                         std::size_t firstRun = 0) {
   const ui::EnergyExtent extent = ui::extentOf(runs);
-  const ui::ChartSubject subject{runs, nullptr, {}};
+  const ui::ChartSubject subject{runs, nullptr, {}, firstRun};
   const ui::ChartContent content = ui::energyChartKind().content(subject, ui::Theme::light());
   std::vector<bool> shown;
   for (const ui::ChartCurve& curve : content.curves) shown.push_back(extent.shown[*curve.quantity]);
@@ -42,6 +43,7 @@ class PlotHeadingTest : public QObject {
   void initTestCase() { QLocale::setDefault(QLocale(QLocale::English)); }
   void namesEachQuantityOnceForAllRuns();
   void marksRunsByLineStyle();
+  void aRunAloneKeepsItsMark();
   void statesTheDriftInJoulesAndPercentOfTheStart();
   void statesDriftsFarBelowAPixel();
   void saysWhatWasTakenOffPotentialAndTotal();
@@ -66,6 +68,16 @@ void PlotHeadingTest::marksRunsByLineStyle() {
   QVERIFY(heading.runs[0].markFilled);
   QVERIFY(!heading.runs[1].markFilled);
   QCOMPARE(heading.runs[1].mark, ui::Theme::light().runs[1]);
+}
+
+void PlotHeadingTest::aRunAloneKeepsItsMark() {
+  const Ledger ledger = sample_ledgers::swinging(4, 401);
+  const std::vector<HeadingEntry> both = headingOf({{&ledger, "RK4"}, {&ledger, "Euler"}}).runs;
+  const HeadingEntry alone = headingOf({{&ledger, "Euler"}}, {}, 1).runs.front();
+  QCOMPARE(alone.mark, both[1].mark);
+  QCOMPARE(alone.markFilled, both[1].markFilled);
+  QCOMPARE(alone.line, both[1].line);
+  QVERIFY(alone.line != both[0].line);
 }
 
 void PlotHeadingTest::statesTheDriftInJoulesAndPercentOfTheStart() {
