@@ -20,6 +20,15 @@ struct Words {
 
 }  // namespace
 
+ChartContent emptyEnergyContent() {
+  ChartContent content;
+  content.horizontal = {Words::tr("Time"), Words::tr("s")};
+  content.vertical = {Words::tr("Energy"), Words::tr("J")};
+  content.energies = true;
+  content.fromZero = true;
+  return content;
+}
+
 QString driftText(const core::Ledger& ledger) {
   const auto samples = ledger.samples();
   const auto latest = std::find_if(samples.rbegin(), samples.rend(), isFinite);

@@ -4,12 +4,16 @@
 
 #include <QString>
 
+#include "ui/chart/chart_content.h"
 #include "ui/chart/charted_run.h"
 
 namespace ui {
 
 struct AxisScale;
 struct EnergyExtent;
+
+/// A chart of energies over time, without curves yet.
+ChartContent emptyEnergyContent();
 
 /// What the method got wrong up to the latest sample, in J and in percent of the start:
 /// "drift +0.600 J (+20.0 %)". Empty without samples.

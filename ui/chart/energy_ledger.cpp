@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "core/recording/ledger.h"
+#include "ui/chart/energy_figures.h"
 #include "ui/chart/energy_quantity.h"
 #include "ui/style/theme.h"
 
@@ -91,11 +92,7 @@ ChartCurve startCurve(const core::Ledger& ledger, const Theme& theme) {
 }  // namespace
 
 ChartContent energyLedger(const ChartSubject& subject, const Theme& theme) {
-  ChartContent content;
-  content.horizontal = {Words::tr("Time"), Words::tr("s")};
-  content.vertical = {Words::tr("Energy"), Words::tr("J")};
-  content.energies = true;
-  content.fromZero = true;
+  ChartContent content = emptyEnergyContent();
   for (std::size_t run = 0; run < subject.runs.size(); ++run) {
     const core::Ledger& ledger = *subject.runs[run].ledger;
     for (const Layer& layer : kLayers) {

@@ -1,18 +1,13 @@
 #include "ui/chart/energy_over_time.h"
 
-#include <QCoreApplication>
-
 #include "core/recording/ledger.h"
+#include "ui/chart/energy_figures.h"
 #include "ui/chart/energy_quantity.h"
 #include "ui/style/theme.h"
 
 namespace ui {
 
 namespace {
-
-struct Words {
-  Q_DECLARE_TR_FUNCTIONS(ui::EnergyChart)
-};
 
 ChartCurve curveOf(const core::Ledger& ledger, std::size_t index, const Theme& theme) {
   const EnergyQuantity& quantity = energyQuantities()[index];
@@ -31,11 +26,7 @@ ChartCurve curveOf(const core::Ledger& ledger, std::size_t index, const Theme& t
 }  // namespace
 
 ChartContent energyOverTime(const ChartSubject& subject, const Theme& theme) {
-  ChartContent content;
-  content.horizontal = {Words::tr("Time"), Words::tr("s")};
-  content.vertical = {Words::tr("Energy"), Words::tr("J")};
-  content.energies = true;
-  content.fromZero = true;
+  ChartContent content = emptyEnergyContent();
   for (std::size_t run = 0; run < subject.runs.size(); ++run) {
     for (std::size_t i = 0; i < kEnergyQuantityCount; ++i) {
       content.curves.push_back(curveOf(*subject.runs[run].ledger, i, theme));

@@ -1,34 +1,17 @@
 #include "core/trade/bounded_step.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <QtTest>
 
 #include "core/trade/boundedness.h"
 #include "tests/support/reference_case.h"
+#include "tests/support/thick_air.h"
 
 using core::Boundedness;
 using core::BoundedStep;
 
 namespace {
-
-/// A weight thrown into thick air without gravity: v' = −q v². With x = q v h explicit Euler's
-/// first step leaves (1 − x)² of the energy and books 2 x as lost, a drift of x²: more than all
-/// there was at steps above 1 / (q v) = 1/30 s.
-std::shared_ptr<const core::Scene> thickAir() {
-  core::Scene scene;
-  scene.gravity = 0;
-  scene.airDensity = 1000;
-  scene.room = {.width = 1e5, .height = 1e5, .restitution = 1, .friction = 0};
-  scene.weights.resize(1);
-  scene.weights[0].mass = 1;
-  scene.weights[0].radius = 0.1;
-  scene.weights[0].dragCoefficient = 0.2 / std::numbers::pi;
-  scene.weights[0].position = {5e4, 5e4};
-  scene.weights[0].velocity = {30, 0};
-  return std::make_shared<const core::Scene>(std::move(scene));
-}
 
 std::optional<core::BoundednessTrial> trialOf(const std::shared_ptr<const core::Scene>& scene,
                                               const core::Solver& solver, double until) {
@@ -58,7 +41,7 @@ class BoundedStepTest : public QObject {
 };
 
 void BoundedStepTest::findsTheLimitOfEuler() {
-  const auto steps = core::largestBoundedSteps(thickAir(), 100);
+  const auto steps = core::largestBoundedSteps(tests::thickAir(), 100);
   const BoundedStep& euler = named(*steps, "euler");
   QVERIFY(!euler.isUnlimited);
   QCOMPARE(*euler.step, 0.033);  // 1/30 s down to two digits
@@ -71,7 +54,7 @@ void BoundedStepTest::tellsApartWhatBecomesOfARun() {
   const auto trial = trialOf(pendulum, {.method = "euler", .step = 0.02}, 10);
   QCOMPARE(trial->outcome, Boundedness::kRunaway);
   QVERIFY(1 < trial->drift && trial->drift < 1.1);
-  QCOMPARE(trialOf(thickAir(), {.method = "euler", .step = 10}, 100)->outcome,
+  QCOMPARE(trialOf(tests::thickAir(), {.method = "euler", .step = 10}, 100)->outcome,
            Boundedness::kRunaway);
 }
 
@@ -112,7 +95,7 @@ void BoundedStepTest::whatFallsFreelyHasNoLimit() {
 }
 
 void BoundedStepTest::endsWhenItIsTold() {
-  QVERIFY(!core::largestBoundedSteps(thickAir(), 100, [](double) { return false; }));
+  QVERIFY(!core::largestBoundedSteps(tests::thickAir(), 100, [](double) { return false; }));
 }
 
 QTEST_APPLESS_MAIN(BoundedStepTest)
