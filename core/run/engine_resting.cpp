@@ -18,7 +18,7 @@ constexpr double kSolvesPerSecond = 240;
 constexpr ContactGoal kImpactGoal{.tolerance = 1e-5, .mostSweeps = 300};
 // 10⁻⁶ m/s makes a gap of 4 nm in a stretch. Where friction holds a heap in more ways than it
 // need be held, pushes go on changing without end, and with them velocities by less than that.
-constexpr ContactGoal kSupportGoal{.tolerance = 1e-6, .mostSweeps = 300};
+constexpr ContactGoal kSupportGoal{.tolerance = 1e-6, .mostSweeps = 600};
 // A group falls asleep when all its weights have been slower than this share of √(2 g r)
 // for this many times √(2 r / g), the time in which what stands on a point leaves it by a
 // factor of e: one that sets out to roll off another from 10⁻⁸ r off its top is faster by

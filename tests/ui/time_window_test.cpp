@@ -361,7 +361,11 @@ void TimeWindowTest::listHasRoomForItsHeadings() {
   const QHeaderView* columns = window.list()->horizontalHeader();
   QVERIFY(columns->font().pointSizeF() >= 12);
   for (int column = 0; column < columns->count(); ++column)
-    QVERIFY(columns->sectionSize(column) >= columns->sectionSizeHint(column));
+    QVERIFY2(columns->sectionSize(column) >= columns->sectionSizeHint(column),
+             qPrintable(QStringLiteral("%1: %2 < %3")
+                            .arg(column)
+                            .arg(columns->sectionSize(column))
+                            .arg(columns->sectionSizeHint(column))));
 }
 
 void TimeWindowTest::listsOneWeightOrKind() {

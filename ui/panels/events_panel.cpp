@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include "ui/control/event_navigator.h"
+#include "ui/control/event_words.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
 #include "ui/panels/event_table.h"
@@ -68,14 +69,24 @@ void EventsPanel::buildTable() {
   rows->setSectionResizeMode(QHeaderView::Fixed);
   QHeaderView* columns = m_view->horizontalHeader();
   columns->setHighlightSections(false);
-  columns->setSectionResizeMode(EventTable::kKind, QHeaderView::Stretch);
+  columns->setStretchLastSection(true);
   m_view->installEventFilter(this);
   connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &EventsPanel::goToCurrent);
   connect(m_view, &QTableView::clicked, this, &EventsPanel::goToCurrent);
 }
 
-/// Columns wide enough for their names and for the numbers of any two weights.
+/// Room for the longest name of a kind and the sign before it [px].
+int EventsPanel::kindWidth() const {
+  int widest = 0;
+  for (int kind = 0; kind <= static_cast<int>(core::EventKind::kRest); ++kind) {
+    const QString words = eventWords(static_cast<core::EventKind>(kind));
+    widest = std::max(widest, fontMetrics().horizontalAdvance(words));
+  }
+  return widest + 2 * fontMetrics().height() + kColumnMargin;
+}
+
+/// Columns wide enough for their names, any kind and the numbers of any two weights.
 void EventsPanel::fitToFont() {
   if (m_controller->runCount() == 0) return;
   m_view->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRowMargin);
@@ -86,8 +97,10 @@ void EventsPanel::fitToFont() {
   const QHeaderView* columns = m_view->horizontalHeader();
   for (int column = 0; column < EventTable::kColumnCount; ++column) {
     const int name = columns->sectionSizeHint(column);
-    const int width = column == EventTable::kWho ? std::max(name, numbers) : name;
-    if (column != EventTable::kKind) m_view->setColumnWidth(column, width);
+    const int needed = column == EventTable::kWho    ? numbers
+                       : column == EventTable::kKind ? kindWidth()
+                                                     : 0;
+    m_view->setColumnWidth(column, std::max(name, needed));
   }
 }
 

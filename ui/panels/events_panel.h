@@ -41,6 +41,7 @@ class EventsPanel : public QWidget {
   void buildTable();
   void buildFilters();
   void fitToFont();
+  int kindWidth() const;
   void listRuns();
   void applyFilter();
   void follow();
