@@ -51,8 +51,8 @@ StepPanel::StepPanel(const RunController* controller, QWidget* parent)
   layout->addWidget(m_content, 1);
   auto* row = new QHBoxLayout(m_content);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(m_table, 3);
-  row->addWidget(m_plot, 2);
+  row->addWidget(m_table, 2);
+  row->addWidget(m_plot, 1);
   buildChoosers();
   connect(controller, &RunController::restarted, this, &StepPanel::listRuns);
   connect(controller, &RunController::timeShown, m_limiter, &RedrawLimiter::request);

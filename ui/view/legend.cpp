@@ -37,17 +37,19 @@ QStringList linesOf(const QString& name, const SceneLook& look, double width) {
   return {name.left(comma + 1), name.mid(comma + 2)};
 }
 
-/// In rows that leave room for the scale bar where the picture is wide enough for both.
+/// In rows, the first of which leaves room for the scale bar where the picture is wide enough
+/// for both.
 std::vector<Entry> entriesOf(const std::vector<ShownRun>& runs, const SceneLook& look,
                              double width) {
-  const double right = std::max(width - kScaleSpace, width / 2);
+  const double top = look.headerHeight + kEdge;
   std::vector<Entry> entries;
-  QPointF next(kEdge, look.headerHeight + kEdge);
+  QPointF next(kEdge, top);
   qsizetype linesInRow = 1;
   for (const ShownRun& run : runs) {
     Entry entry{next, linesOf(run.name, look, width)};
     for (const QString& line : entry.lines)
       entry.width = std::max(entry.width, kMarkerSpace + widthOf(line, look.font));
+    const double right = next.y() > top ? width - kEdge : std::max(width - kScaleSpace, width / 2);
     if (next.x() > kEdge && next.x() + entry.width > right) {
       next = QPointF(kEdge, next.y() + static_cast<double>(linesInRow) * lineHeight(look.font));
       linesInRow = 1;

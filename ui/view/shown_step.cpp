@@ -51,7 +51,7 @@ void drawStep(const ShownStep& step, double top, const Camera& camera, const Sce
   for (const Eigen::Vector2d& place : {step.start, step.end})
     layer.discs.push_back({placed(place), 0, 5, 2, 0, look.theme.text.rgb()});
   if (enlargement == 1) return;
-  const QString note = QCoreApplication::translate("ui::SceneView", "step drawn %1 times as large")
+  const QString note = QCoreApplication::translate("ui::SceneView", "step × %1")
                            .arg(QLocale().toString(enlargement, 'g', 7));
   const QPointF corner(kEdge, top);
   drawing.texts.push_back({camera.toMetres(corner), QPointF(0, 0), note, look.font,

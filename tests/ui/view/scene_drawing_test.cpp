@@ -27,6 +27,7 @@ class SceneDrawingTest : public QObject {
   void slackRopesHang();
   void trailsFadeAndCanBeHidden();
   void legendNamesEveryRun();
+  void legendKeepsClearOfTheScaleInItsFirstRowAlone();
   void legendBreaksNamesTooLongForThePicture();
   void drawsAStepEnlargedAboutItsAnchor();
   void textIsLargeEnoughToRead();
@@ -205,6 +206,23 @@ void SceneDrawingTest::legendNamesEveryRun() {
     words << text.words;
   QVERIFY(words.contains("first method"));
   QVERIFY(words.contains("second method"));
+}
+
+void SceneDrawingTest::legendKeepsClearOfTheScaleInItsFirstRowAlone() {
+  ui::ShownScene shown = example::freeWeights(1, 0.02, 0);
+  const QStringList names = {"Runge–Kutta 4, 1/60 s", "Euler (semi-implicit), 1/60 s",
+                             "Dormand–Prince 5(4), tolerance 1e-6"};
+  shown.runs.resize(2, shown.runs.front());
+  shown.runs.push_back(shown.runs.back());
+  for (qsizetype i = 0; i < names.size(); ++i)
+    shown.runs[static_cast<std::size_t>(i)].name = names[i];
+  const ui::Camera camera = example::camera(shown, {800, 600});
+  std::vector<QPointF> places;
+  for (const ui::Text& text : ui::sceneDrawing(shown, ui::Trails(), camera, example::look()).texts)
+    if (names.contains(text.words)) places.push_back(camera.toPixels(text.at) + text.offset);
+  QCOMPARE(places.size(), std::size_t(3));
+  QVERIFY(places[1].y() > places[0].y());
+  QCOMPARE(places[2].y(), places[1].y());
 }
 
 void SceneDrawingTest::legendBreaksNamesTooLongForThePicture() {
