@@ -37,9 +37,10 @@ std::shared_ptr<const Scene> crowd(int count) {
                  .restitution = 0.8};
   scene->restitution = 0.8;
   for (int i = 0; i < count; ++i) {
+    const int row = i / columns;
     core::Weight weight;
     weight.radius = kRadius;
-    weight.position = {(i % columns + 0.5) * cell, (i / columns + 0.5) * cell};
+    weight.position = {(i % columns + 0.5) * cell, (row + 0.5) * cell};
     weight.velocity = {share() - 0.5, share() - 0.5};
     scene->weights.push_back(weight);
   }

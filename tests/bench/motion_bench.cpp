@@ -30,7 +30,8 @@ std::shared_ptr<const Scene> loneWeights(int count, bool onRopes) {
   scene->gravity = onRopes ? 9.81 : 1e-6;
   for (int i = 0; i < count; ++i) {
     core::Weight weight;
-    const Eigen::Vector2d place((i % columns + 0.5) * kCell, (i / columns + 0.5) * kCell + 50);
+    const int row = i / columns;
+    const Eigen::Vector2d place((i % columns + 0.5) * kCell, (row + 0.5) * kCell + 50);
     weight.position = place;
     weight.velocity = {1e-3, 1e-3};
     if (onRopes) weight.rope = core::Rope{.pivot = place, .length = 0.5, .angle = 1};

@@ -67,7 +67,8 @@ std::shared_ptr<const Scene> mixedScene(int count) {
   scene->room = {.width = 0.3 * columns, .height = 0.3 * columns + 1, .restitution = 1};
   for (int i = 0; i < count; ++i) {
     core::Weight weight;
-    const Eigen::Vector2d place(0.3 * (i % columns) + 0.15, 0.3 * (i / columns) + 0.3);
+    const int row = i / columns;
+    const Eigen::Vector2d place(0.3 * (i % columns) + 0.15, 0.3 * row + 0.3);
     if (i % 2 == 0) {
       weight.rope = core::Rope{.pivot = place, .length = 0.1, .angle = 1};
     } else {

@@ -12,7 +12,6 @@
 using core::largestStableStep;
 using core::Run;
 using core::RunStatus;
-using core::Scene;
 using core::Solver;
 
 namespace {
