@@ -144,7 +144,7 @@ QVariant EventTable::headerData(int section, Qt::Orientation orientation, int ro
     return tr("Of the weight; where two meet, of the first named");
   if (role != Qt::DisplayRole) return {};
   const QString names[] = {tr("Time (s)"),       tr("Event"),         tr("Weight"),
-                           tr("v before (m/s)"), tr("v after (m/s)"), tr("Energy lost (J)")};
+                           tr("Before (m/s)"), tr("After (m/s)"), tr("Energy lost (J)")};
   return names[section];
 }
 
