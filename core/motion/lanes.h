@@ -31,7 +31,6 @@ class Lanes {
   friend Lanes operator*(const Lanes& a, const Lanes& b) { return Lanes(a.m_values * b.m_values); }
   friend Lanes operator/(const Lanes& a, const Lanes& b) { return Lanes(a.m_values / b.m_values); }
   friend Lanes operator-(const Lanes& a) { return Lanes(-a.m_values); }
-  Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
 
   friend Lanes abs(const Lanes& a) { return fromBits(a.bits() & ~kSign); }
   friend Lanes sqrt(const Lanes& a) {
