@@ -143,7 +143,7 @@ QVariant EventTable::headerData(int section, Qt::Orientation orientation, int ro
   if (role == Qt::ToolTipRole && isSpeed)
     return tr("Of the weight; where two meet, of the first named");
   if (role != Qt::DisplayRole) return {};
-  const QString names[] = {tr("Time (s)"),       tr("Event"),         tr("Weight"),
+  const QString names[] = {tr("Time (s)"),     tr("Event"),       tr("Weight"),
                            tr("Before (m/s)"), tr("After (m/s)"), tr("Energy lost (J)")};
   return names[section];
 }
