@@ -10,11 +10,11 @@ namespace core {
 /// sin x for one number or for a batch, to the same bits, right to one unit in the last
 /// place [-].
 ///
-/// x − n π/2 is found in two parts, with π/2 in three pieces whose products with n have no
+/// x − n π/2 is found in two parts, with π/2 in three pieces: the first two times n have no
 /// rounding; then Taylor's series on ±π/4, for the sine or the cosine as n is even or odd.
 /// Angles of more than 1,300 turns are left to the standard library.
 ///
-/// Measured: within 0.6 units in the last place of the exact value (tests/core/motion).
+/// Measured: within 0.8 units in the last place of the exact value (tests/core/motion).
 /// @param x  [rad]
 template <class Number>
 Number sine(const Number& x);
