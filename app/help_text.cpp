@@ -56,8 +56,9 @@ QString helpText() {
              "  --chart FILE         error against cost as .png, .svg or .pdf\n"
              "With neither file it prints a short table.\n"
              "\n"
-             "Exit status: 0; 2 where the call or the scene is refused; 3 where the numbers\n"
-             "stopped being finite; 1 for anything else, such as a full disk.\n")
+             "Exit status: 0; 2 where the call or the scene is refused; 3 where the numbers,\n"
+             "or the events or steps within one step, got out of hand; 1 for anything else,\n"
+             "such as a full disk.\n")
       .arg(methodNames());
 }
 

@@ -54,7 +54,7 @@ void MeasurementTable::setMeasurement(const core::Measurement& measurement) {
 
 void MeasurementTable::addRow(const core::MeasuredPoint& point) {
   const QString outcome =
-      point.isComplete() ? tr("ok") : tr("stopped at %1 s").arg(quantityText(point.reached));
+      point.isComplete() ? tr("ok") : tr("diverged at %1 s").arg(quantityText(point.reached));
   const QStringList texts{
       methodWords(*core::findMethod(point.solver.method)),
       settingWords(point.solver),
