@@ -181,6 +181,12 @@ QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,
   dock->setObjectName(name);
   dock->setWidget(content);
   addDockWidget(area, dock);
+  // Qt leaves panels that stand behind another tab visible, out of sight: hidden they need not
+  // compute what they show, which saves a few ms in every frame of 10,000 weights.
+  QSizePolicy policy = content->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  content->setSizePolicy(policy);
+  connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
   return dock;
 }
 
@@ -204,6 +210,7 @@ void MainWindow::buildMenus() {
 
 void MainWindow::buildStatusBar() {
   m_painterLabel = new QLabel;
+  m_painterLabel->setObjectName("painter");
   m_painterLabel->setContentsMargins(0, 0, 8, 0);
   statusBar()->addPermanentWidget(new TravelBar(m_controller));
   statusBar()->addPermanentWidget(m_painterLabel);
@@ -228,6 +235,8 @@ void MainWindow::connectPlayback() {
   connect(m_controller, &RunController::playingChanged, m_commands, &Commands::showPlaying);
   connect(m_controller, &RunController::speedChanged, m_playback, &PlaybackBar::showSpeed);
   connect(m_controller, &RunController::timeShown, this, &MainWindow::showTime);
+  connect(m_controller, &RunController::framePassed, this,
+          [this] { m_playback->showKeptShare(m_controller->keptShare()); });
   connect(m_controller, &RunController::runStatusChanged, this, &MainWindow::showStopped);
   connect(m_controller, &RunController::canCutChanged, m_commands->action(Command::kCut),
           &QAction::setEnabled);
@@ -282,6 +291,7 @@ void MainWindow::connectView() {
   connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneArea::zoomIn);
   connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneArea::zoomOut);
   connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
+  connect(m_view, &SceneArea::trailsChanged, this, &MainWindow::showPainter);
   m_view->setPainterChoice(Settings().painter());
   showPainter();
 }
@@ -320,7 +330,10 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::showPainter() {
-  m_painterLabel->setText(tr("Drawn by %1").arg(m_view->painterDescription()));
+  QStringList words{tr("Drawn by %1").arg(m_view->painterDescription())};
+  const QString trails = m_view->trailsDescription();
+  if (!trails.isEmpty()) words.prepend(trails);
+  m_painterLabel->setText(words.join(QStringLiteral(" · ")));
 }
 
 void MainWindow::changeSpeed(int steps) {

@@ -57,6 +57,7 @@ void SceneArea::distributeRuns() {
     m_views.front()->setRuns(m_runs);
   }
   arrange();
+  emit trailsChanged();
 }
 
 void SceneArea::setViewCount(std::size_t count) {
@@ -85,6 +86,7 @@ void SceneArea::setPainterChoice(PainterChoice choice) {
 void SceneArea::setTrailsShown(bool shown) {
   m_trailsShown = shown;
   for (SceneView* view : m_views) view->setTrailsShown(shown);
+  emit trailsChanged();
 }
 
 void SceneArea::resizeEvent(QResizeEvent*) {

@@ -32,6 +32,8 @@ class SceneArea : public QWidget {
 
   void setPainterChoice(PainterChoice choice);
   QString painterDescription() const { return m_views.front()->painterDescription(); }
+  /// See SceneView.
+  QString trailsDescription() const { return m_views.front()->trailsDescription(); }
 
  public slots:
   /// Gives each run a view of its own, or all of them one.
@@ -44,6 +46,8 @@ class SceneArea : public QWidget {
  signals:
   /// Another painter draws from now on.
   void painterChanged();
+  /// trailsDescription() may be another one.
+  void trailsChanged();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

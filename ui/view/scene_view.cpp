@@ -73,6 +73,12 @@ class SceneView::Content {
 
   const Trails* trails() const { return m_look.trails ? &m_trails : nullptr; }
 
+  QString trailsDescription() const {
+    if (!m_look.trails || !m_trails.isShortened()) return {};
+    return m_trails.pointsEach() > 0 ? SceneView::tr("Trails shortened: many weights")
+                                     : SceneView::tr("No trails: too many weights");
+  }
+
   void setChoice(PainterChoice choice) {
     if (choice == m_choice) return;
     m_choice = choice;
@@ -84,6 +90,7 @@ class SceneView::Content {
     if (m_openGlCanvas)
       return SceneView::tr("OpenGL %1 (%2)").arg(m_support->version, m_support->renderer);
     if (m_choice == PainterChoice::kQPainter) return SceneView::tr("QPainter");
+    if (m_isOpenGlLost) return SceneView::tr("QPainter (OpenGL was lost)");
     if (!m_support->usable) return SceneView::tr("QPainter (no OpenGL 3.3)");
     return SceneView::tr("QPainter (software OpenGL would be slower)");
   }
@@ -185,6 +192,7 @@ class SceneView::Content {
 
   void loseOpenGl() {
     m_support = OpenGlSupport();
+    m_isOpenGlLost = true;
     chooseCanvas();
     emit m_view->painterChanged();
   }
@@ -195,6 +203,7 @@ class SceneView::Content {
   OpenGlCanvas* m_openGlCanvas = nullptr;
   PainterChoice m_choice = PainterChoice::kAutomatic;
   std::optional<OpenGlSupport> m_support;
+  bool m_isOpenGlLost = false;
 
   std::vector<const core::Run*> m_runs;
   ShownScene m_shown;
@@ -228,6 +237,9 @@ void SceneView::clearTrails() {
 }
 void SceneView::setTrailsShown(bool shown) {
   m_content->setTrailsShown(shown);
+}
+QString SceneView::trailsDescription() const {
+  return m_content->trailsDescription();
 }
 const Trails* SceneView::trails() const {
   return m_content->trails();

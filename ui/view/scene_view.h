@@ -48,6 +48,8 @@ class SceneView : public QWidget {
   /// Forgets the trails, for jumps in time.
   void clearTrails();
   void setTrailsShown(bool shown);
+  /// What many weights cost the trails, in words for the status bar; empty: nothing.
+  QString trailsDescription() const;
   /// The trails as they are shown, for a picture; null while they are not.
   const Trails* trails() const;
 
