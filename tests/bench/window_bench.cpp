@@ -45,11 +45,6 @@ double windowTime() {
   return secondsOf(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/// The same of all threads.
-double processorTime() {
-  return secondsOf(CLOCK_PROCESS_CPUTIME_ID);
-}
-
 /// Weights on ropes too short to meet, or flying apart from the middle of a large room.
 core::Scene loneWeights(int count, bool onRopes) {
   core::Scene scene;

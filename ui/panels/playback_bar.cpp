@@ -37,7 +37,7 @@ QString speedText(double speed) {
 
 /// @param pace  simulated seconds per second
 QString slowText(double pace) {
-  const QString words = PlaybackBar::tr("only %1× real time");
+  const QString words = PlaybackBar::tr("%1× real time");
   const QLocale locale;
   if (pace < kLeastPace) return words.arg(u'<' + locale.toString(kLeastPace));
   return words.arg(locale.toString(pace, 'g', pace < 0.1 ? 1 : 2));
@@ -122,7 +122,7 @@ QWidget* PlaybackBar::timeBox() {
   m_paceLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_paceLabel->setObjectName("pace");
   m_paceLabel->setToolTip(tr("Whether the computer keeps up with the chosen speed"));
-  m_paceLabel->setMinimumWidth(m_paceLabel->fontMetrics().horizontalAdvance(slowText(0)));
+  m_paceLabel->setMinimumWidth(m_paceLabel->fontMetrics().horizontalAdvance(slowText(0.24)));
   layout->addWidget(m_paceLabel);
   layout->addWidget(m_timeLabel);
   return box;
