@@ -73,7 +73,7 @@ void addJoint(const Eigen::Vector2d& weight, const Eigen::Vector2d& outline, dou
 
 double leastRadius(const ShownScene& shown) {
   constexpr std::size_t kVeryMany = 500;
-  return shown.scene.weights.size() > kVeryMany ? 1.5 : 3;
+  return shown.scene.weights.size() > kVeryMany ? kLeastRadius / 2 : kLeastRadius;
 }
 
 bool enlargesWeights(const ShownScene& shown, const Camera& camera) {

@@ -9,8 +9,9 @@ class Trails;
 struct SceneLook;
 struct ShownScene;
 
-/// Smallest radius a weight is drawn with, however small it is [px]; smaller with very many, or
-/// they would cover the room.
+/// Smallest radius a weight is drawn with, however small it is [px].
+inline constexpr double kLeastRadius = 3;
+/// The same for this scene: less with very many weights, or they would cover the room.
 double leastRadius(const ShownScene& shown);
 
 /// Whether some weight is so small in this picture that it is drawn larger than it is.

@@ -144,7 +144,7 @@ void SceneDrawingTest::neverDrawsWeightsTooSmallToSee() {
   QVERIFY(ui::enlargesWeights(shown, camera));
   const ui::Drawing drawing = drawingOf(shown);
   for (const ui::Disc& disc : drawing.layers[ui::kWeightLayer].discs)
-    QCOMPARE(disc.radius * camera.scale(), ui::leastRadius(shown));
+    QCOMPARE(disc.radius * camera.scale(), ui::kLeastRadius);
 }
 
 void SceneDrawingTest::drawsTheRopesThatStillHold_data() {
