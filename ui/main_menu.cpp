@@ -50,7 +50,7 @@ void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {
   run->addSeparator();
   addCommands(run, commands, {Command::kSlower, Command::kFaster});
   run->addSeparator();
-  addCommands(run, commands, {Command::kMeasure});
+  addCommands(run, commands, {Command::kWhenToCut, Command::kMeasure});
 }
 
 void MainMenu::addGoToMenu(QMenu* menu, const Commands& commands) {
@@ -68,9 +68,9 @@ void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {
   m_view = bar->addMenu(tr("&View"));
   m_panels = m_view->addMenu(tr("&Panels"));
   m_view->addSeparator();
-  addCommands(
-      m_view, commands,
-      {Command::kSplit, Command::kTrails, Command::kFit, Command::kZoomIn, Command::kZoomOut});
+  addCommands(m_view, commands,
+              {Command::kSplit, Command::kTrails, Command::kTarget, Command::kFit, Command::kZoomIn,
+               Command::kZoomOut});
   m_view->addSeparator();
 }
 

@@ -21,7 +21,9 @@
 #include "ui/control/run_words.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
+#include "ui/control/scene_target.h"
 #include "ui/control/settings.h"
+#include "ui/control/target_control.h"
 #include "ui/control/time_commands.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
@@ -99,6 +101,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectScene();
   connectFiles();
   connectView();
+  connectTarget();
   startScene();
   showTitle();
 }
@@ -284,6 +287,13 @@ void MainWindow::connectView() {
   connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
   m_view->setPainterChoice(Settings().painter());
   showPainter();
+}
+
+void MainWindow::connectTarget() {
+  m_target = new TargetControl(*m_commands, m_controller, m_editor, m_view, this);
+  m_exports->setTarget([this] { return m_target->shown(); });
+  connect(findChild<WeightsForm*>(), &WeightsForm::weightChosen, m_target->target(),
+          [this](int number) { m_target->target()->setWeight(number - 1); });
 }
 
 void MainWindow::startScene() {

@@ -23,6 +23,7 @@ class RunController;
 class SceneArea;
 class SceneEditor;
 class SceneFiles;
+class TargetControl;
 class TradeWindow;
 
 /// The window: the scene in the middle, forms at its side, charts below. Puts the
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   Exports* exports() const { return m_exports; }
   const Commands& commands() const { return *m_commands; }
   ChartsPanel* charts() const { return m_charts; }
+  TargetControl* target() const { return m_target; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -61,6 +63,7 @@ class MainWindow : public QMainWindow {
   void connectScene();
   void connectFiles();
   void connectView();
+  void connectTarget();
 
   void startScene();
   void showTime(double time);
@@ -82,6 +85,7 @@ class MainWindow : public QMainWindow {
 
   MainMenu* m_menu;
   SceneArea* m_view;
+  TargetControl* m_target;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
   MessageBar* m_problemBar;

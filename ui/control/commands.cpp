@@ -96,8 +96,14 @@ constexpr Look kLooks[] = {
     {Command::kMeasure, QT_TRANSLATE_NOOP("ui::Commands", "Speed and &accuracy…"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Measure what accuracy costs, and how large steps may be"),
      "accuracy", "Ctrl+M"},
+    {Command::kWhenToCut, QT_TRANSLATE_NOOP("ui::Commands", "&When to cut?…"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Find the moments to cut at that hit the target"),
+     "when-to-cut", "W"},
     {Command::kTrails, QT_TRANSLATE_NOOP("ui::Commands", "&Trails"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show where the weights have just been"), "trails", "T"},
+    {Command::kTarget, QT_TRANSLATE_NOOP("ui::Commands", "Tar&get"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show a target on the floor; drag it to where it shall be"),
+     "target", "G"},
     {Command::kFit, QT_TRANSLATE_NOOP("ui::Commands", "&Fit the room"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show the whole room"), "fit", "F"},
     {Command::kZoomIn, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &in"), "", "", "zoom-in", "Ctrl++"},
@@ -139,6 +145,7 @@ Commands::Commands(QObject* parent) : QObject(parent) {
   }
   action(Command::kSplit)->setCheckable(true);
   action(Command::kTrails)->setCheckable(true);
+  action(Command::kTarget)->setCheckable(true);
   action(Command::kTrails)->setChecked(true);
   action(Command::kZoomIn)->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});
   action(Command::kQuit)->setMenuRole(QAction::QuitRole);
