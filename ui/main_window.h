@@ -23,6 +23,7 @@ class RunController;
 class SceneArea;
 class SceneEditor;
 class SceneFiles;
+class Selection;
 class TargetControl;
 class TradeWindow;
 
@@ -41,6 +42,7 @@ class MainWindow : public QMainWindow {
 
   RunController* controller() const { return m_controller; }
   SceneEditor* editor() const { return m_editor; }
+  Selection* selection() const { return m_selection; }
   SceneFiles* files() const { return m_files; }
   Exports* exports() const { return m_exports; }
   const Commands& commands() const { return *m_commands; }
@@ -76,6 +78,7 @@ class MainWindow : public QMainWindow {
 
   Appearance* m_appearance;
   SceneEditor* m_editor;
+  Selection* m_selection;
   RunController* m_controller;
   EventNavigator* m_events;
   FrameTicker* m_ticker;
