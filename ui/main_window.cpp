@@ -30,6 +30,7 @@
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
 #include "ui/panels/comparison_panel.h"
+#include "ui/panels/cut_window.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/help_dialogs.h"
 #include "ui/panels/message_bar.h"
@@ -299,6 +300,8 @@ void MainWindow::connectTarget() {
   m_exports->setTarget([this] { return m_target->shown(); });
   // None selected: the one before stays.
   connect(m_selection, &Selection::weightSelected, m_target->target(), &SceneTarget::setWeight);
+  connect(m_commands->action(Command::kWhenToCut), &QAction::triggered, this,
+          &MainWindow::showWhenToCut);
 }
 
 void MainWindow::startScene() {
@@ -345,6 +348,14 @@ void MainWindow::changeSpeed(int steps) {
 void MainWindow::showTrade() {
   if (!m_trade) m_trade = new TradeWindow(m_editor, this);
   m_trade->bringUp();
+}
+
+void MainWindow::showWhenToCut() {
+  if (!m_whenToCut) {
+    m_whenToCut = new CutWindow(m_editor, m_target->target(), this);
+    connect(m_whenToCut, &CutWindow::momentPicked, m_controller, &RunController::reset);
+  }
+  m_whenToCut->bringUp();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -13,6 +13,7 @@ namespace ui {
 class Appearance;
 class ChartsPanel;
 class Commands;
+class CutWindow;
 class EventNavigator;
 class Exports;
 class FrameTicker;
@@ -75,6 +76,7 @@ class MainWindow : public QMainWindow {
   void showPainter();
   void changeSpeed(int steps);
   void showTrade();
+  void showWhenToCut();
 
   Appearance* m_appearance;
   SceneEditor* m_editor;
@@ -94,8 +96,9 @@ class MainWindow : public QMainWindow {
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
-  TradeWindow* m_trade = nullptr;  // made when it is wanted first
-  bool m_panelsSized = false;      // once: from then on the user decides
+  TradeWindow* m_trade = nullptr;    // made when it is wanted first
+  CutWindow* m_whenToCut = nullptr;  // likewise
+  bool m_panelsSized = false;        // once: from then on the user decides
 };
 
 }  // namespace ui

@@ -160,13 +160,13 @@ std::optional<std::vector<Hit>> CutSweep::hitsOn(const Target& target, const Pro
   constexpr int kMostRounds = 5;
   WorkMeter meter(1, progress);
   for (int round = 1;; ++round) {
+    if (!refineAll(meter)) return std::nullopt;
     HitSearch search(m_finder, target, kSharpness, meter);
     if (!search.lookThrough(landings())) return std::nullopt;
     if (search.surprises().empty() || round == kMostRounds) return search.hits();
     // Between two samples something else was hit, after all.
     for (const Landing& landing : search.surprises())
       m_landings.insert_or_assign(landing.cutTime, landing);
-    if (!refineAll(meter)) return std::nullopt;
   }
 }
 

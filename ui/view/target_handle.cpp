@@ -67,10 +67,11 @@ bool TargetHandle::drag(const QMouseEvent& event) {
   const double roomWidth = m_view->room().width;
   core::Target target = m_before;
   if (*m_dragged == Part::kMiddle) {
-    target.center = std::clamp(m_before.center + way, 0.0, roomWidth);
+    target.center = std::clamp(rounded(m_before.center + way), 0.0, roomWidth);
   } else {
     const double wider = *m_dragged == Part::kEastEnd ? way : -way;
-    target.width = std::clamp(m_before.width + 2 * wider, kLeastWidth * roomWidth, roomWidth);
+    target.width =
+        std::clamp(rounded(m_before.width + 2 * wider), kLeastWidth * roomWidth, roomWidth);
   }
   emit moved(target);
   return true;
@@ -80,6 +81,12 @@ bool TargetHandle::release(const QMouseEvent& event) {
   if (!m_dragged || event.button() != Qt::LeftButton) return false;
   m_dragged.reset();
   return true;
+}
+
+/// As exact as a pixel can mean, in few digits.
+double TargetHandle::rounded(double metres) const {
+  const double digit = std::pow(10, std::floor(std::log10(1 / m_view->camera().scale())));
+  return std::round(metres / digit) * digit;
 }
 
 /// Over the target another one than the view's own.

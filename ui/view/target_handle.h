@@ -37,6 +37,7 @@ class TargetHandle : public QObject {
   bool drag(const QMouseEvent& event);
   bool release(const QMouseEvent& event);
   void showCursor(QPointF pixel);
+  double rounded(double metres) const;
 
   SceneView* m_view;
   std::optional<Part> m_dragged;

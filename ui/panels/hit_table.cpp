@@ -1,0 +1,54 @@
+#include "ui/panels/hit_table.h"
+
+#include <QHeaderView>
+
+#include "ui/chart/figure_text.h"
+
+namespace ui {
+
+HitTable::HitTable(QWidget* parent) : QTableWidget(parent) {
+  const QStringList headings{tr("Cut at"), tr("Within"), tr("Lands"), tr("On the way")};
+  const QStringList tips{tr("The moment that comes nearest to the target's center"),
+                         tr("How long before and after it a cut still hits"),
+                         tr("When the weight lands"), tr("What it hits before the floor")};
+  setColumnCount(static_cast<int>(headings.size()));
+  setHorizontalHeaderLabels(headings);
+  for (int i = 0; i < tips.size(); ++i) horizontalHeaderItem(i)->setToolTip(tips[i]);
+  verticalHeader()->hide();
+  horizontalHeader()->setStretchLastSection(true);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setSelectionBehavior(QAbstractItemView::SelectRows);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setAlternatingRowColors(true);
+  setAccessibleName(tr("Moments that hit"));
+  setToolTip(tr("Double-click a row, or press Return, to cut then"));
+  connect(this, &QTableWidget::cellActivated, this,
+          [this](int row) { emit momentPicked(m_moments[static_cast<std::size_t>(row)]); });
+}
+
+void HitTable::setHits(const std::vector<core::Hit>& hits) {
+  setRowCount(0);
+  m_moments.clear();
+  for (const core::Hit& hit : hits) addRow(hit);
+  resizeColumnsToContents();
+}
+
+void HitTable::addRow(const core::Hit& hit) {
+  constexpr double kMilliseconds = 1000;
+  const auto milliseconds = [](double time) { return figure(kMilliseconds * time); };
+  const QStringList texts{
+      tr("%1 s").arg(cutTimeText(hit.best)),
+      tr("−%1 +%2 ms").arg(milliseconds(hit.best - hit.from), milliseconds(hit.until - hit.best)),
+      tr("%1 s").arg(cutTimeText(hit.landsAt)), firstHitWords(hit.firstHit)};
+  const int row = rowCount();
+  insertRow(row);
+  for (int column = 0; column < texts.size(); ++column) {
+    auto* item = new QTableWidgetItem(texts[column]);
+    const bool isFigure = column + 1 < texts.size();
+    item->setTextAlignment(Qt::AlignVCenter | (isFigure ? Qt::AlignRight : Qt::AlignLeft));
+    setItem(row, column, item);
+  }
+  m_moments.push_back(hit.best);
+}
+
+}  // namespace ui
