@@ -15,7 +15,8 @@ HitTable::HitTable(QWidget* parent) : QTableWidget(parent) {
   setHorizontalHeaderLabels(headings);
   for (int i = 0; i < tips.size(); ++i) horizontalHeaderItem(i)->setToolTip(tips[i]);
   verticalHeader()->hide();
-  horizontalHeader()->setStretchLastSection(true);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(columnCount() - 1, QHeaderView::Stretch);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setSelectionMode(QAbstractItemView::SingleSelection);
@@ -30,7 +31,6 @@ void HitTable::setHits(const std::vector<core::Hit>& hits) {
   setRowCount(0);
   m_moments.clear();
   for (const core::Hit& hit : hits) addRow(hit);
-  resizeColumnsToContents();
 }
 
 void HitTable::addRow(const core::Hit& hit) {
