@@ -93,6 +93,7 @@ bool CutSweep::refine(std::vector<Gap> gaps, WorkMeter& meter) {
       const double middle = std::midpoint(gap.from, gap.to);
       if (middle <= gap.from || middle >= gap.to) continue;
       if (!sample(middle, meter)) return false;
+      if (!meter.add(kShareOfRefining / static_cast<double>(m_most))) return false;
       halves.push_back({gap.from, middle});
       halves.push_back({middle, gap.to});
     }

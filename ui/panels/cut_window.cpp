@@ -45,7 +45,7 @@ constexpr core::Range kPlaceRange{0, 1e5, "m"};
 constexpr core::Range kWidthRange{1e-4, 1e5, "m"};
 constexpr int kPause = 150;  // [ms]
 /// Scenes with more weights take so long that the user is to ask.
-constexpr std::size_t kMostByItself = 200;
+constexpr std::size_t kMostByItself = 50;
 
 /// What decides where a weight lands, whenever it is cut.
 core::Scene withoutCut(core::Scene scene) {

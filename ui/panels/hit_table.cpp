@@ -7,9 +7,9 @@
 namespace ui {
 
 HitTable::HitTable(QWidget* parent) : QTableWidget(parent) {
-  const QStringList headings{tr("Cut at"), tr("Within"), tr("Lands"), tr("On the way")};
+  const QStringList headings{tr("Cut at"), tr("Lasts"), tr("Lands"), tr("On the way")};
   const QStringList tips{tr("The moment that comes nearest to the target's center"),
-                         tr("How long before and after it a cut still hits"),
+                         tr("How long the stretch of cut times is that hit"),
                          tr("When the weight lands"), tr("What it hits before the floor")};
   setColumnCount(static_cast<int>(headings.size()));
   setHorizontalHeaderLabels(headings);
@@ -35,10 +35,9 @@ void HitTable::setHits(const std::vector<core::Hit>& hits) {
 
 void HitTable::addRow(const core::Hit& hit) {
   constexpr double kMilliseconds = 1000;
-  const auto milliseconds = [](double time) { return figure(kMilliseconds * time); };
   const QStringList texts{
       tr("%1 s").arg(cutTimeText(hit.best)),
-      tr("−%1 +%2 ms").arg(milliseconds(hit.best - hit.from), milliseconds(hit.until - hit.best)),
+      tr("%1 ms").arg(figure(kMilliseconds * (hit.until - hit.from))),
       tr("%1 s").arg(cutTimeText(hit.landsAt)), firstHitWords(hit.firstHit)};
   const int row = rowCount();
   insertRow(row);
