@@ -1,6 +1,5 @@
 #include "core/aim/landing_history.h"
 
-#include <ranges>
 #include <set>
 
 namespace core {
@@ -54,7 +53,8 @@ std::uint64_t LandingHistory::mark() const {
   constexpr std::uint64_t kStart = 0xcbf29ce484222325;
   std::uint64_t hash = kStart;
   std::set<int> involved{m_weight};
-  for (const Event& event : m_events | std::views::reverse) {
+  for (auto latest = m_events.rbegin(); latest != m_events.rend(); ++latest) {
+    const Event& event = *latest;
     const bool isOfAll = event.kind == EventKind::kCut;
     if (!isOfAll && !involved.contains(event.weight) && !involved.contains(event.other)) continue;
     if (event.kind == EventKind::kImpactWeight) involved.insert({event.weight, event.other});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -112,13 +111,13 @@ class CutSweepPlot::Hits : public QGraphicsItem {
     const QTransform toChart = m_plot->toChart();
     const Theme& theme = m_plot->look().theme;
     // The easiest lie on top.
-    for (const core::Hit& hit : std::views::reverse(result->hits)) {
+    const std::vector<core::Hit> hits(result->hits.rbegin(), result->hits.rend());
+    for (const core::Hit& hit : hits) {
       painter->setPen(QPen(theme.drift, kHitWidth, Qt::SolidLine, Qt::FlatCap));
       painter->setBrush(Qt::NoBrush);
       painter->drawPolyline(simplified(toChart.map(stretch(*result, hit)), 0.2));
     }
-    for (const core::Hit& hit : std::views::reverse(result->hits))
-      paintDot(*painter, placeOf(*result, hit), theme);
+    for (const core::Hit& hit : hits) paintDot(*painter, placeOf(*result, hit), theme);
     paintTimes(*painter, *result, toChart, theme);
   }
 

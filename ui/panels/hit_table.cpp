@@ -5,12 +5,28 @@
 #include "ui/chart/figure_text.h"
 
 namespace ui {
+namespace {
+
+/// Below the heading "Off a".
+QString hitWords(core::FirstHit hit) {
+  switch (hit) {
+    case core::FirstHit::kNothing:
+      break;
+    case core::FirstHit::kWall:
+      return HitTable::tr("wall");
+    case core::FirstHit::kWeight:
+      return HitTable::tr("weight");
+  }
+  return {};
+}
+
+}  // namespace
 
 HitTable::HitTable(QWidget* parent) : QTableWidget(parent) {
-  const QStringList headings{tr("Cut at"), tr("Lasts"), tr("Lands"), tr("On the way")};
+  const QStringList headings{tr("Cut at"), tr("Lasts"), tr("Lands"), tr("Off a")};
   const QStringList tips{tr("The moment that comes nearest to the target's center"),
                          tr("How long the stretch of cut times is that hit"),
-                         tr("When the weight lands"), tr("What it hits before the floor")};
+                         tr("When the weight lands"), tr("What it hits first, before the floor")};
   setColumnCount(static_cast<int>(headings.size()));
   setHorizontalHeaderLabels(headings);
   for (int i = 0; i < tips.size(); ++i) horizontalHeaderItem(i)->setToolTip(tips[i]);
@@ -35,10 +51,9 @@ void HitTable::setHits(const std::vector<core::Hit>& hits) {
 
 void HitTable::addRow(const core::Hit& hit) {
   constexpr double kMilliseconds = 1000;
-  const QStringList texts{
-      tr("%1 s").arg(cutTimeText(hit.best)),
-      tr("%1 ms").arg(figure(kMilliseconds * (hit.until - hit.from))),
-      tr("%1 s").arg(cutTimeText(hit.landsAt)), firstHitWords(hit.firstHit)};
+  const QStringList texts{tr("%1 s").arg(cutTimeText(hit.best)),
+                          tr("%1 ms").arg(figure(kMilliseconds * (hit.until - hit.from))),
+                          tr("%1 s").arg(cutTimeText(hit.landsAt)), hitWords(hit.firstHit)};
   const int row = rowCount();
   insertRow(row);
   for (int column = 0; column < texts.size(); ++column) {
