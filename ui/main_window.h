@@ -16,6 +16,7 @@ class Commands;
 class EventNavigator;
 class Exports;
 class FrameTicker;
+class LessonGuide;
 class MainMenu;
 class MessageBar;
 class PlaybackBar;
@@ -84,6 +85,7 @@ class MainWindow : public QMainWindow {
   SceneArea* m_view;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
+  LessonGuide* m_lessons;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;

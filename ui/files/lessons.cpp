@@ -14,6 +14,7 @@ namespace {
 /// A lesson as it is written down: title and sentence are the scene's name and description.
 struct Text {
   const char* name;
+  double pictureTime;
   const char* title;
   const char* look;
   std::array<const char*, 3> tries;
@@ -21,6 +22,7 @@ struct Text {
 
 constexpr Text kTexts[] = {
     {"one-pendulum",
+     2.3,
      QT_TRANSLATE_NOOP("ui::Lessons", "One pendulum"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -36,6 +38,7 @@ constexpr Text kTexts[] = {
           "ui::Lessons",
           "Set the air density to 0: does the total still stay flat with both methods?")}},
     {"two-weights",
+     1.0,
      QT_TRANSLATE_NOOP("ui::Lessons", "Two weights"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -49,6 +52,7 @@ constexpr Text kTexts[] = {
           "ui::Lessons",
           "Set the restitution of weights to 0: how much energy is lost to the impact?")}},
     {"three-pendulums",
+     1.5,
      QT_TRANSLATE_NOOP("ui::Lessons", "Three pendulums"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -62,6 +66,7 @@ constexpr Text kTexts[] = {
           "ui::Lessons",
           "Press U to go from one turning point to the next and read the times under Events.")}},
     {"seven-weights",
+     2.3,
      QT_TRANSLATE_NOOP("ui::Lessons", "Seven weights in a room"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -73,6 +78,7 @@ constexpr Text kTexts[] = {
       QT_TRANSLATE_NOOP("ui::Lessons",
                         "Halve the step of one method: how much later do the two part?")}},
     {"euler-gains-energy",
+     5.0,
      QT_TRANSLATE_NOOP("ui::Lessons", "Euler gains energy"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -86,6 +92,7 @@ constexpr Text kTexts[] = {
       QT_TRANSLATE_NOOP("ui::Lessons",
                         "Choose Euler (semi-implicit) for the second run and compare.")}},
     {"two-kinds-of-euler",
+     5.0,
      QT_TRANSLATE_NOOP("ui::Lessons", "Two kinds of Euler"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -99,11 +106,12 @@ constexpr Text kTexts[] = {
       QT_TRANSLATE_NOOP("ui::Lessons",
                         "Let it play for a minute at speed 8×: is the first run still the same?")}},
     {"half-the-step",
+     2.6,
      QT_TRANSLATE_NOOP("ui::Lessons", "Half the step"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
-         "Watch how far each run is from the first, which is as good as exact: half the step "
-         "leaves Euler half the error, and Runge–Kutta 4 with far larger steps has next to none."),
+         "Watch the distance from the first run, which is exact: with half the step Euler errs "
+         "half as much, and RK4 hardly at all."),
      {QT_TRANSLATE_NOOP("ui::Lessons",
                         "Open Comparison and read the distances after one second and after four."),
       QT_TRANSLATE_NOOP("ui::Lessons",
@@ -111,12 +119,12 @@ constexpr Text kTexts[] = {
       QT_TRANSLATE_NOOP("ui::Lessons",
                         "Open Run ▸ Speed and accuracy to see the same for many steps at once.")}},
     {"step-too-large",
+     0.2,
      QT_TRANSLATE_NOOP("ui::Lessons", "Step too large"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
-         "Watch one balloon fly with three steps: in small ones the air slows it down, in larger "
-         "ones it stops dead, in too large ones each step throws it back faster until the "
-         "numbers overflow."),
+         "Watch the air stop a balloon in three ways: slowly with a small step, dead with a "
+         "larger one, and never with one that throws it back faster each time."),
      {QT_TRANSLATE_NOOP("ui::Lessons",
                         "Press R and then → again and again: see how each large step overshoots."),
       QT_TRANSLATE_NOOP(
@@ -125,6 +133,7 @@ constexpr Text kTexts[] = {
       QT_TRANSLATE_NOOP("ui::Lessons",
                         "Look for the largest step of the third run that does not blow up.")}},
     {"small-and-large-swings",
+     2.0,
      QT_TRANSLATE_NOOP("ui::Lessons", "Small and large swings"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -138,6 +147,7 @@ constexpr Text kTexts[] = {
       QT_TRANSLATE_NOOP("ui::Lessons",
                         "Set one start angle to 179.9°: how long does it stay near the top?")}},
     {"slack-rope",
+     1.15,
      QT_TRANSLATE_NOOP("ui::Lessons", "Slack rope"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -151,6 +161,7 @@ constexpr Text kTexts[] = {
       QT_TRANSLATE_NOOP("ui::Lessons",
                         "Change gravity until the rope stays taut all the way round.")}},
     {"throw-in-air",
+     1.0,
      QT_TRANSLATE_NOOP("ui::Lessons", "A throw with and without air"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -163,6 +174,7 @@ constexpr Text kTexts[] = {
       QT_TRANSLATE_NOOP("ui::Lessons",
                         "Set the air density to 0: now both paths have the same shape.")}},
     {"terminal-velocity",
+     1.3,
      QT_TRANSLATE_NOOP("ui::Lessons", "Terminal velocity"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -176,6 +188,7 @@ constexpr Text kTexts[] = {
       QT_TRANSLATE_NOOP("ui::Lessons",
                         "Set the air density to 0: all three hit the floor together.")}},
     {"bouncing-ball",
+     2.2,
      QT_TRANSLATE_NOOP("ui::Lessons", "Infinitely many bounces"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -191,6 +204,7 @@ constexpr Text kTexts[] = {
           "ui::Lessons",
           "Set the restitution of walls to 0.9: the bounces now last about twice as long.")}},
     {"newtons-cradle",
+     1.1,
      QT_TRANSLATE_NOOP("ui::Lessons", "Newton's cradle"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -206,6 +220,7 @@ constexpr Text kTexts[] = {
           "ui::Lessons",
           "Set the restitution of weights to 0.5: after a while all swing together.")}},
     {"counting-pi",
+     3.4,
      QT_TRANSLATE_NOOP("ui::Lessons", "Counting π by impacts"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -221,11 +236,12 @@ constexpr Text kTexts[] = {
           "ui::Lessons",
           "Give the run a step ten times as large: the number stays the same. Why?")}},
     {"thousand-pendulums",
-     QT_TRANSLATE_NOOP("ui::Lessons", "A thousand pendulums a hair apart"),
+     2.3,
+     QT_TRANSLATE_NOOP("ui::Lessons", "A thousand pendulums"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
-         "Watch a thousand pendulums start as one straight line, each a millimetre longer than "
-         "the next: the line bends, winds up and falls apart into dust."),
+         "Watch a thousand pendulums start as one straight line, each a hair longer than the "
+         "next: the line bends, winds up and falls apart into dust."),
      {QT_TRANSLATE_NOOP(
           "ui::Lessons",
           "Stop after 5 s and after 20 s: are weights that started side by side still neighbours?"),
@@ -235,6 +251,7 @@ constexpr Text kTexts[] = {
           "ui::Lessons",
           "Press C while they swing: a thousand weights fly off along a thousand paths.")}},
     {"pile",
+     0.8,
      QT_TRANSLATE_NOOP("ui::Lessons", "A pile comes to rest"),
      QT_TRANSLATE_NOOP(
          "ui::Lessons",
@@ -252,7 +269,11 @@ QString translated(const char* words) {
 }
 
 Lesson lessonOf(const Text& text) {
-  Lesson lesson{QString::fromLatin1(text.name), translated(text.title), translated(text.look), {}};
+  Lesson lesson{QString::fromLatin1(text.name),
+                translated(text.title),
+                translated(text.look),
+                {},
+                text.pictureTime};
   for (const char* words : text.tries) lesson.tries.append(translated(words));
   return lesson;
 }

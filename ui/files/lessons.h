@@ -13,10 +13,11 @@ namespace ui {
 
 /// What a teacher gets along with a built-in scene, in the language of the window.
 struct Lesson {
-  QString name;       ///< of the scene: words joined by hyphens
-  QString title;      ///< the scene's name as it is shown
-  QString look;       ///< what to look for: one sentence
-  QStringList tries;  ///< what to try: two or three lines
+  QString name;        ///< of the scene: words joined by hyphens
+  QString title;       ///< the scene's name as it is shown
+  QString look;        ///< what to look for: one sentence
+  QStringList tries;   ///< what to try: two or three lines
+  double pictureTime;  ///< a moment that shows what it is about [s]
 };
 
 /// One for each built-in scene, in the order of menus and lists.
