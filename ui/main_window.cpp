@@ -22,8 +22,10 @@
 #include "ui/control/run_words.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
+#include "ui/control/selection.h"
 #include "ui/control/settings.h"
 #include "ui/control/time_commands.h"
+#include "ui/control/undo_commands.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
 #include "ui/panels/comparison_panel.h"
@@ -36,6 +38,7 @@
 #include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/selection_links.h"
 #include "ui/panels/step_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/panels/trade_window.h"
@@ -76,6 +79,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
     : QMainWindow(parent),
       m_appearance(new Appearance(this)),
       m_editor(new SceneEditor(scene, this)),
+      m_selection(new Selection(m_editor, this)),
       m_controller(new RunController(this)),
       m_events(new EventNavigator(m_controller, this)),
       m_ticker(new FrameTicker(this)),
@@ -150,10 +154,9 @@ void MainWindow::buildPanels() {
   tabifyDockWidget(compared, opened);
   connect(opened, &QDockWidget::visibilityChanged, step, &StepPanel::setSeen);
   connect(step, &StepPanel::stepOpened, m_view, &SceneArea::showStep);
-  connect(step, &StepPanel::weightChosen, weightsForm, &WeightsForm::choose);
-  connect(weightsForm, &WeightsForm::weightChosen, step, &StepPanel::chooseWeight);
   auto* eventsPanel = new EventsPanel(m_controller, m_events);
   QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
+  linkSelection(m_selection, m_editor, {weightsForm, step, m_charts, eventsPanel});
   tabifyDockWidget(lesson, scene);
   tabifyDockWidget(scene, weights);
   tabifyDockWidget(charts, events);
@@ -276,10 +279,12 @@ void MainWindow::connectFiles() {
 
   const auto say = [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); };
   connect(m_files, &SceneFiles::done, this, say);
+  connect(new UndoCommands(*m_commands, m_editor, this), &UndoCommands::done, this, say);
   connect(m_events, &EventNavigator::nothingFound, this, say);
   connect(findChild<EventsPanel*>(), &EventsPanel::done, this, say);
   connect(m_exports, &Exports::done, this, say);
-  connect(m_files, &SceneFiles::fileChanged, this, &MainWindow::showTitle);
+  connect(m_editor, &SceneEditor::fileChanged, this, &MainWindow::showTitle);
+  connect(m_editor, &SceneEditor::sceneReplaced, this, &MainWindow::showTitle);
   connect(m_editor, &SceneEditor::modifiedChanged, this, &QWidget::setWindowModified);
 }
 

@@ -24,6 +24,7 @@ class RunController;
 class SceneArea;
 class SceneEditor;
 class SceneFiles;
+class Selection;
 class TradeWindow;
 
 /// The window: the scene in the middle, forms at its side, charts below. Puts the
@@ -41,6 +42,7 @@ class MainWindow : public QMainWindow {
 
   RunController* controller() const { return m_controller; }
   SceneEditor* editor() const { return m_editor; }
+  Selection* selection() const { return m_selection; }
   SceneFiles* files() const { return m_files; }
   Exports* exports() const { return m_exports; }
   const Commands& commands() const { return *m_commands; }
@@ -74,6 +76,7 @@ class MainWindow : public QMainWindow {
 
   Appearance* m_appearance;
   SceneEditor* m_editor;
+  Selection* m_selection;
   RunController* m_controller;
   EventNavigator* m_events;
   FrameTicker* m_ticker;

@@ -19,6 +19,8 @@ enum class Command {
   kExportChart,
   kExportPicture,
   kQuit,
+  kUndo,
+  kRedo,
   kPlay,
   kStep,
   kStepBack,

@@ -157,6 +157,10 @@ void ChartsPanel::chooseWeight(int weight) {
   m_weight->setValue(weight + 1);
 }
 
+int ChartsPanel::weight() const {
+  return m_weight->value() - 1;
+}
+
 void ChartsPanel::chooseNextKind() {
   m_kinds->setCurrentIndex((m_kinds->currentIndex() + 1) % m_kinds->count());
 }

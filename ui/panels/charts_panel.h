@@ -38,6 +38,8 @@ class ChartsPanel : public QWidget {
   void chooseRun(int run);
   /// Shows the weight with this index; −1: all.
   void chooseWeight(int weight);
+  /// Index of the weight shown; −1: all.
+  int weight() const;
 
  public slots:
   void chooseNextKind();
