@@ -17,6 +17,7 @@
 #include "ui/control/event_navigator.h"
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
+#include "ui/control/lesson_guide.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
 #include "ui/control/scene_editor.h"
@@ -33,6 +34,7 @@
 #include "ui/panels/cut_window.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/help_dialogs.h"
+#include "ui/panels/lesson_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/panel_title.h"
 #include "ui/panels/playback_bar.h"
@@ -131,6 +133,10 @@ void MainWindow::buildCentre() {
 void MainWindow::buildPanels() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
+  auto* lessonPanel = new LessonPanel(*m_commands);
+  QDockWidget* lesson =
+      addPanel(Qt::LeftDockWidgetArea, "lesson", tr("Lesson"), scrolling(lessonPanel));
+  m_lessons = new LessonGuide(*m_commands, m_editor, m_files, lessonPanel, lesson, this);
   QDockWidget* scene =
       addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
   auto* weightsForm = new WeightsForm(m_editor);
@@ -155,10 +161,11 @@ void MainWindow::buildPanels() {
   auto* eventsPanel = new EventsPanel(m_controller, m_events);
   QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
   linkSelection(m_selection, m_editor, {weightsForm, step, m_charts, eventsPanel});
+  tabifyDockWidget(lesson, scene);
   tabifyDockWidget(scene, weights);
   tabifyDockWidget(charts, events);
   // Their tabs are their titles.
-  for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
+  for (QDockWidget* dock : {lesson, scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
   charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
   events->setTitleBarWidget(new PanelTitle(events, eventsPanel->filters()));
@@ -178,8 +185,10 @@ void MainWindow::sizePanels() {
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (!event->spontaneous() && !m_panelsSized) sizePanels();
+  if (event->spontaneous() || m_panelsSized) return;
   m_panelsSized = true;
+  sizePanels();
+  m_lessons->begin();
 }
 
 QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,

@@ -17,6 +17,7 @@ class CutWindow;
 class EventNavigator;
 class Exports;
 class FrameTicker;
+class LessonGuide;
 class MainMenu;
 class MessageBar;
 class PlaybackBar;
@@ -93,6 +94,7 @@ class MainWindow : public QMainWindow {
   TargetControl* m_target;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
+  LessonGuide* m_lessons;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
