@@ -19,6 +19,7 @@
 #include "ui/control/frame_ticker.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
+#include "ui/control/scene_commands.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
 #include "ui/control/selection.h"
@@ -284,6 +285,10 @@ void MainWindow::connectView() {
   connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneArea::zoomIn);
   connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneArea::zoomOut);
   connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
+  m_hand = new SceneCommands(*m_commands, {m_editor, m_selection, m_controller, m_view}, this);
+  connect(m_hand, &SceneCommands::draggingChanged, this, &MainWindow::showProblems);
+  connect(m_hand, &SceneCommands::said, statusBar(),
+          [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); });
   m_view->setPainterChoice(Settings().painter());
   showPainter();
 }
@@ -310,6 +315,7 @@ void MainWindow::showStopped() {
 }
 
 void MainWindow::showProblems() {
+  if (m_hand->isDragging()) return;
   const auto& problems = m_editor->problems();
   m_problemBar->say(problems.empty() ? QString()
                                      : tr("Not applied: %1").arg(problemWords(problems)));

@@ -21,6 +21,7 @@ class MessageBar;
 class PlaybackBar;
 class RunController;
 class SceneArea;
+class SceneCommands;
 class SceneEditor;
 class SceneFiles;
 class Selection;
@@ -85,6 +86,7 @@ class MainWindow : public QMainWindow {
 
   MainMenu* m_menu;
   SceneArea* m_view;
+  SceneCommands* m_hand = nullptr;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
   MessageBar* m_problemBar;

@@ -41,6 +41,17 @@ void SceneArea::showStep(const ShownStep* step, std::size_t run) {
     m_views[i]->showStep(m_views.size() == 1 || i == run ? step : nullptr);
 }
 
+void SceneArea::setMarks(const SceneMarks& marks) {
+  m_marks = marks;
+  for (SceneView* view : m_views) view->setMarks(marks);
+  followOne(m_views.front());
+}
+
+void SceneArea::setHand(SceneHand* hand) {
+  m_hand = hand;
+  for (SceneView* view : m_views) view->setHand(hand);
+}
+
 void SceneArea::setSplit(bool split) {
   if (split == m_split) return;
   m_split = split;
@@ -71,6 +82,8 @@ void SceneArea::addView() {
   auto* view = new SceneView(this);
   view->setPainterChoice(m_choice);
   view->setTrailsShown(m_trailsShown);
+  view->setMarks(m_marks);
+  view->setHand(m_hand);
   connect(view, &SceneView::painterChanged, this, &SceneArea::painterChanged);
   connect(view, &SceneView::cameraMoved, this, [this, view] { followOne(view); });
   m_views.push_back(view);

@@ -5,6 +5,7 @@
 #include <QString>
 #include <QWidget>
 
+#include "ui/view/scene_marks.h"
 #include "ui/view/scene_view.h"
 
 namespace ui {
@@ -25,6 +26,12 @@ class SceneArea : public QWidget {
 
   /// Opens up a step of a weight in this run; null: none.
   void showStep(const ShownStep* step, std::size_t run);
+
+  /// Draws these over the runs in all views; see SceneView::setMarks().
+  void setMarks(const SceneMarks& marks);
+  const SceneMarks& marks() const { return m_marks; }
+  /// @param hand  gets hold of things by mouse; must outlive the views
+  void setHand(SceneHand* hand);
 
   bool isSplit() const { return m_split; }
   /// In the order of the runs; one for all where they are not split.
@@ -57,6 +64,8 @@ class SceneArea : public QWidget {
   int columnsFor(QSizeF room) const;
 
   std::vector<const core::Run*> m_runs;
+  SceneMarks m_marks;
+  SceneHand* m_hand = nullptr;
   std::vector<SceneView*> m_views;  // never empty; children
   PainterChoice m_choice = PainterChoice::kAutomatic;
   double m_time = 0;

@@ -15,7 +15,12 @@ class Run;
 namespace ui {
 
 class Camera;
+class SceneHand;
+class SceneMouse;
 class Trails;
+struct SceneLook;
+struct SceneMarks;
+struct ShownScene;
 struct ShownStep;
 
 /// Which painter draws the scene.
@@ -27,7 +32,8 @@ enum class PainterChoice {
 
 /// The room with its weights, ropes and trails. Draws runs; computes no physics.
 ///
-/// The wheel zooms at the pointer, dragging pans, a double click fits the room.
+/// The wheel zooms at the pointer, dragging pans, a double click fits the room, unless the hand
+/// takes hold of what lies there.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -54,6 +60,14 @@ class SceneView : public QWidget {
   /// Opens up a step of one weight over the scene; null: none.
   void showStep(const ShownStep* step);
 
+  /// Draws these over the runs from now on, until the next call.
+  void setMarks(const SceneMarks& marks);
+  /// @param hand  gets hold of things by mouse; must outlive the view
+  void setHand(SceneHand* hand);
+  /// What is drawn, and how.
+  const ShownScene& shown() const;
+  const SceneLook& look() const;
+
   void setPainterChoice(PainterChoice choice);
   /// The part of the room that is seen.
   const Camera& camera() const;
@@ -68,6 +82,8 @@ class SceneView : public QWidget {
 
  public slots:
   void fitRoom();
+  /// Moves what is seen by so many pixels.
+  void panBy(QPointF pixels);
   /// Enlarges or shrinks the picture around its middle, as two notches of the wheel do.
   void zoomIn();
   void zoomOut();
@@ -90,6 +106,7 @@ class SceneView : public QWidget {
  private:
   class Content;
   std::unique_ptr<Content> m_content;
+  std::unique_ptr<SceneMouse> m_mouse;
 };
 
 }  // namespace ui

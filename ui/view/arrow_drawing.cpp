@@ -1,0 +1,247 @@
+#include "ui/view/arrow_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include "core/motion/forces.h"
+#include "ui/view/camera.h"
+#include "ui/view/drawing.h"
+#include "ui/view/scene_look.h"
+#include "ui/view/shown_scene.h"
+
+namespace ui {
+
+namespace {
+
+constexpr double kLeastArrow = 2;   // shorter ones would be all head [px]
+constexpr double kMostArrow = 1e4;  // longer ones end far outside of any picture [px]
+constexpr double kEdge = 10;        // left and right of the legend [px]
+constexpr double kEntryGap = 24;    // between its entries [px]
+constexpr double kNameArrow = 26;   // before a name [px]
+constexpr double kWordsGap = 6;     // between arrow and name [px]
+constexpr std::size_t kMany = 100;  // with more weights than these arrows are thinner
+constexpr std::size_t kMostNumbers = 16;
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ui::SceneView)
+};
+
+/// A vector at a weight, in pixels with y up.
+struct PixelVector {
+  Eigen::Vector2d way;
+  QRgb color;
+};
+
+/// Short enough for what grows while it is looked at.
+QString value(double number, const QString& unit) {
+  const double size = std::abs(number);
+  if (size > 0 && (size < 1e-3 || size >= 1e5))
+    return QLocale().toString(number, 'e', 1) + ' ' + unit;
+  const int decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 0.1 || size == 0 ? 2 : 4;
+  return QLocale().toString(number, 'f', decimals) + ' ' + unit;
+}
+
+/// Its own numbers, or those of the only one.
+const core::WeightState* describedState(const ShownScene& shown, std::size_t& index) {
+  if (shown.runs.empty()) return nullptr;
+  const std::vector<core::WeightState>& weights = shown.runs[0].weights;
+  if (shown.marks.selection)
+    index = static_cast<std::size_t>(shown.marks.selection->weight);
+  else if (weights.size() == 1)
+    index = 0;
+  else
+    return nullptr;
+  return index < weights.size() ? &weights[index] : nullptr;
+}
+
+Eigen::Vector2d tensionAt(const core::Weight& weight, const core::WeightState& state) {
+  if (!weight.rope || state.tension == 0) return {0, 0};
+  return core::tensionOn(weight.rope->pivot, state.position, state.tension);
+}
+
+/// One entry of the legend: an arrow of this length and color, and words.
+struct Entry {
+  double arrow;  // [px]
+  QColor color;
+  QString words;
+  double width;  // [px]
+  QPointF corner = QPointF();
+};
+
+/// The longest that words with a value get, so that nothing moves while the value does.
+double widestWords(const QString& name, const QString& unit, const SceneLook& look) {
+  return widthOf(name + QStringLiteral(" 0.0000 ") + unit, look.font);
+}
+
+class Legend {
+ public:
+  Legend(const ShownScene& shown, const SceneLook& look, double width)
+      : m_shown(shown), m_look(look), m_state(describedState(shown, m_index)) {
+    addScale();
+    if (shown.marks.arrows.velocities) addVelocity();
+    if (shown.marks.arrows.forces) addForces();
+    placeEntries(width);
+  }
+
+  const std::vector<Entry>& entries() const { return m_entries; }
+  /// [px]
+  double height() const {
+    return m_entries.empty() ? 0 : m_entries.back().corner.y() + lineHeight(m_look.font);
+  }
+
+ private:
+  void add(double arrow, const QColor& color, const QString& words, double wordsWidth) {
+    m_entries.push_back({arrow, color, words, arrow + kWordsGap + wordsWidth});
+  }
+
+  /// What the arrow that leads the legend stands for.
+  void addScale() {
+    const ShownArrows& arrows = m_shown.marks.arrows;
+    QStringList amounts;
+    if (arrows.velocities) amounts << QLocale().toString(arrows.scales.speed, 'g', 6) + " m/s";
+    if (arrows.forces) amounts << QLocale().toString(arrows.scales.force, 'g', 6) + " N";
+    if (amounts.isEmpty()) return;
+    const QString words = "= " + amounts.join(" = ");
+    add(kReferenceLength, m_look.theme.text, words, widthOf(words, m_look.font));
+  }
+
+  void addNamed(const QString& name, double number, const QString& unit, const QColor& color) {
+    const QString words = m_state ? name + ' ' + value(number, unit) : name;
+    const double width = m_state ? widestWords(name, unit, m_look) : widthOf(name, m_look.font);
+    add(kNameArrow, color, words, width);
+  }
+
+  void addVelocity() {
+    const QColor& color = m_look.theme.kinetic;
+    addNamed(Words::tr("velocity"), m_state ? m_state->velocity.norm() : 0, QStringLiteral("m/s"),
+             color);
+  }
+
+  void addForces() {
+    const QString unit = QStringLiteral("N");
+    const Theme& theme = m_look.theme;
+    const core::Scene& scene = m_shown.scene;
+    double gravity = 0, drag = 0;
+    if (m_state) {
+      const core::Weight& weight = scene.weights[m_index];
+      gravity = core::gravityOn(weight, scene.gravity).norm();
+      drag = core::dragOn(weight, scene.airDensity, m_state->velocity).norm();
+    }
+    addNamed(Words::tr("gravity"), gravity, unit, theme.potential);
+    addNamed(Words::tr("air"), drag, unit, theme.lostToAir);
+    addNamed(Words::tr("rope"), m_state ? m_state->tension : 0, unit, theme.lostToRopes);
+  }
+
+  void placeEntries(double width) {
+    QPointF next(kEdge, 0);
+    for (Entry& entry : m_entries) {
+      if (next.x() > kEdge && next.x() + entry.width > width - kEdge)
+        next = QPointF(kEdge, next.y() + lineHeight(m_look.font));
+      entry.corner = next;
+      next.rx() += entry.width + kEntryGap;
+    }
+  }
+
+  const ShownScene& m_shown;
+  const SceneLook& m_look;
+  std::size_t m_index = 0;
+  const core::WeightState* m_state;
+  std::vector<Entry> m_entries;
+};
+
+void addArrow(const Eigen::Vector2d& place, const PixelVector& vector, double width,
+              const Camera& camera, Layer& layer) {
+  const double length = vector.way.norm();
+  if (!(length >= kLeastArrow)) return;
+  const double share = std::min(1.0, kMostArrow / length);
+  layer.arrows.push_back({place, place + share / camera.scale() * vector.way, width, vector.color});
+}
+
+void addArrowsOf(const ShownScene& shown, std::size_t index, double width, const Camera& camera,
+                 const SceneLook& look, Layer& layer) {
+  const core::Weight& weight = shown.scene.weights[index];
+  const core::WeightState& state = shown.runs[0].weights[index];
+  const ShownArrows& arrows = shown.marks.arrows;
+  const double perForce = arrows.forces ? arrows.scales.pixelsPerForce() : 0;
+  const double perSpeed = arrows.velocities ? arrows.scales.pixelsPerSpeed() : 0;
+  std::array<PixelVector, 4> vectors{
+      {{perSpeed * state.velocity, look.theme.kinetic.rgb()},
+       {perForce * core::gravityOn(weight, shown.scene.gravity), look.theme.potential.rgb()},
+       {perForce * tensionAt(weight, state), look.theme.lostToRopes.rgb()},
+       {perForce * core::dragOn(weight, shown.scene.airDensity, state.velocity),
+        look.theme.lostToAir.rgb()}}};
+  // Of arrows that lie on each other the shorter ones are seen.
+  std::ranges::stable_sort(vectors, std::ranges::greater(),
+                           [](const PixelVector& vector) { return vector.way.squaredNorm(); });
+  for (const PixelVector& vector : vectors) addArrow(state.position, vector, width, camera, layer);
+}
+
+/// Beside the middle of the rope.
+void addTension(const core::Weight& weight, const core::WeightState& state, const Camera& camera,
+                const SceneLook& look, Drawing& drawing) {
+  const bool isTied = state.phase == core::Phase::kTethered || state.phase == core::Phase::kSlack;
+  if (!weight.rope || !isTied) return;
+  const QString words = value(state.tension, QStringLiteral("N"));
+  const Eigen::Vector2d middle = (weight.rope->pivot + state.position) / 2;
+  const QPointF way = camera.toPixels(state.position) - camera.toPixels(weight.rope->pivot);
+  // On the side that lies above the leaning rope.
+  const double side = way.x() < 0 ? -1 : 1;
+  const double left = side > 0 ? 8 : -8 - widthOf(words, look.font);
+  drawing.texts.push_back({middle, QPointF(left, -lineHeight(look.font) / 2), words, look.font,
+                           look.theme.lostToRopes.rgb(), withOpacity(look.theme.room, 0.85)});
+}
+
+void drawTensions(const ShownScene& shown, const Camera& camera, const SceneLook& look,
+                  Drawing& drawing) {
+  const std::vector<core::WeightState>& states = shown.runs[0].weights;
+  if (states.size() > kMostNumbers) {
+    if (!shown.marks.selection) return;
+    const auto index = static_cast<std::size_t>(shown.marks.selection->weight);
+    if (index < states.size())
+      addTension(shown.scene.weights[index], states[index], camera, look, drawing);
+    return;
+  }
+  for (std::size_t i = 0; i < states.size(); ++i)
+    addTension(shown.scene.weights[i], states[i], camera, look, drawing);
+}
+
+}  // namespace
+
+double arrowLegendHeight(const ShownScene& shown, const SceneLook& look, double width) {
+  return Legend(shown, look, width).height();
+}
+
+void drawArrowLegend(const ShownScene& shown, double top, const Camera& camera,
+                     const SceneLook& look, Drawing& drawing) {
+  const Legend legend(shown, look, camera.viewport().width());
+  for (const Entry& entry : legend.entries()) {
+    const QPointF corner = entry.corner + QPointF(0, top);
+    const QPointF from = corner + QPointF(0, lineHeight(look.font) / 2);
+    drawing.layers[kFrontLayer].arrows.push_back({camera.toMetres(from),
+                                                  camera.toMetres(from + QPointF(entry.arrow, 0)),
+                                                  3, entry.color.rgb()});
+    const QPointF words = corner + QPointF(entry.arrow + kWordsGap, 0);
+    drawing.texts.push_back({camera.toMetres(words), QPointF(0, 0), entry.words, look.font,
+                             look.theme.text.rgb(), withOpacity(look.theme.background, 0.85)});
+  }
+}
+
+void drawArrows(const ShownScene& shown, const Camera& camera, const SceneLook& look,
+                Drawing& drawing) {
+  if (shown.runs.empty()) return;
+  const ShownArrows& arrows = shown.marks.arrows;
+  const std::size_t count = shown.runs[0].weights.size();
+  const double width = count > kMany ? 1.5 : 3;
+  if (arrows.velocities || arrows.forces)
+    for (std::size_t i = 0; i < count; ++i)
+      addArrowsOf(shown, i, width, camera, look, drawing.layers[kFrontLayer]);
+  if (arrows.tensions) drawTensions(shown, camera, look, drawing);
+}
+
+}  // namespace ui
