@@ -18,6 +18,7 @@ void addCommands(QMenu* menu, const Commands& commands, std::initializer_list<Co
 
 MainMenu::MainMenu(QMenuBar* bar, const Commands& commands) : QObject(bar) {
   addFileMenu(bar, commands);
+  addEditMenu(bar, commands);
   addRunMenu(bar, commands);
   addViewMenu(bar, commands);
   addWeightMenu(bar, commands);
@@ -38,6 +39,11 @@ void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
   m_ledgers = file->addMenu(icon("table"), tr("Export energy &ledger"));
   file->addSeparator();
   addCommands(file, commands, {Command::kQuit});
+}
+
+void MainMenu::addEditMenu(QMenuBar* bar, const Commands& commands) {
+  QMenu* edit = bar->addMenu(tr("&Edit"));
+  addCommands(edit, commands, {Command::kUndo, Command::kRedo});
 }
 
 void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {

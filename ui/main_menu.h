@@ -35,6 +35,7 @@ class MainMenu : public QObject {
 
  private:
   void addFileMenu(QMenuBar* bar, const Commands& commands);
+  void addEditMenu(QMenuBar* bar, const Commands& commands);
   void addRunMenu(QMenuBar* bar, const Commands& commands);
   void addGoToMenu(QMenu* menu, const Commands& commands);
   void addViewMenu(QMenuBar* bar, const Commands& commands);

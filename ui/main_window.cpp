@@ -25,6 +25,7 @@
 #include "ui/control/selection.h"
 #include "ui/control/settings.h"
 #include "ui/control/time_commands.h"
+#include "ui/control/undo_commands.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
 #include "ui/panels/comparison_panel.h"
@@ -270,10 +271,12 @@ void MainWindow::connectFiles() {
 
   const auto say = [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); };
   connect(m_files, &SceneFiles::done, this, say);
+  connect(new UndoCommands(*m_commands, m_editor, this), &UndoCommands::done, this, say);
   connect(m_events, &EventNavigator::nothingFound, this, say);
   connect(findChild<EventsPanel*>(), &EventsPanel::done, this, say);
   connect(m_exports, &Exports::done, this, say);
-  connect(m_files, &SceneFiles::fileChanged, this, &MainWindow::showTitle);
+  connect(m_editor, &SceneEditor::fileChanged, this, &MainWindow::showTitle);
+  connect(m_editor, &SceneEditor::sceneReplaced, this, &MainWindow::showTitle);
   connect(m_editor, &SceneEditor::modifiedChanged, this, &QWidget::setWindowModified);
 }
 

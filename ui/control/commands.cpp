@@ -34,6 +34,11 @@ constexpr Look kLooks[] = {
      "", QT_TRANSLATE_NOOP("ui::Commands", "Save what is shown as a PNG, SVG or PDF picture"),
      "picture", "Ctrl+Shift+E"},
     {Command::kQuit, QT_TRANSLATE_NOOP("ui::Commands", "&Quit"), "", "", "quit", "Ctrl+Q"},
+    {Command::kUndo, QT_TRANSLATE_NOOP("ui::Commands", "&Undo"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Take back the last change of the scene"), "undo", "Ctrl+Z"},
+    {Command::kRedo, QT_TRANSLATE_NOOP("ui::Commands", "&Redo"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Make the change again that was taken back last"), "redo",
+     "Ctrl+Shift+Z"},
     {Command::kPlay, QT_TRANSLATE_NOOP("ui::Commands", "&Play"),
      QT_TRANSLATE_NOOP("ui::Commands", "Play"),
      QT_TRANSLATE_NOOP("ui::Commands", "Let time pass, or stop it"), "play", "Space"},
@@ -206,6 +211,7 @@ Commands::Commands(QObject* parent) : QObject(parent) {
     action(toggle)->setCheckable(true);
   action(Command::kTrails)->setChecked(true);
   action(Command::kZoomIn)->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});
+  action(Command::kRedo)->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   action(Command::kQuit)->setMenuRole(QAction::QuitRole);
   action(Command::kAbout)->setMenuRole(QAction::AboutRole);
 }

@@ -18,6 +18,8 @@ enum class Command {
   kExportChart,
   kExportPicture,
   kQuit,
+  kUndo,
+  kRedo,
   kPlay,
   kStep,
   kStepBack,

@@ -21,7 +21,7 @@ class SceneFiles : public QObject {
   SceneFiles(SceneEditor* editor, const QString& file, QWidget* window);
 
   /// Empty while the scene has no file.
-  const QString& file() const { return m_file; }
+  const QString& file() const;
 
   /// Asks about unsaved changes.
   /// @return  false if the user wants to stay with the scene
@@ -42,16 +42,13 @@ class SceneFiles : public QObject {
   bool saveAs();
 
  signals:
-  void fileChanged(const QString& file);
   /// Something went well, in words.
   void done(const QString& message);
 
  private:
-  void take(core::Scene scene, const QString& file);
-  void setFile(const QString& file);
+  static QString openingWords(const QString& name);
 
   SceneEditor* m_editor;
-  QString m_file;
   QWidget* m_window;
 };
 

@@ -97,6 +97,7 @@ void WeightMover::drag(const SceneView& view, QPointF pixel, Qt::KeyboardModifie
 void WeightMover::end() {
   if (!m_held) return;
   m_held.reset();
+  m_editor->closeStep();
   emit changed();
 }
 
@@ -144,9 +145,7 @@ void WeightMover::forgetWords() {
 
 void WeightMover::change(const Edit& edit, const QString& words, const QString& mergeKey) {
   const auto index = static_cast<std::size_t>(*m_selection->weight());
-  Q_UNUSED(words);
-  Q_UNUSED(mergeKey);
-  m_editor->change([&](core::Scene& scene) { edit(scene.weights[index]); });
+  m_editor->change([&](core::Scene& scene) { edit(scene.weights[index]); }, words, mergeKey);
 }
 
 void WeightMover::say(const QStringList& words) {

@@ -48,6 +48,7 @@ void WeightsForm::addChooser() {
   m_chooser->setToolTip(tr("Which weight the fields below belong to, counted from the left"));
   rows()->addRow(tr("Weight"), m_chooser);
   connect(m_chooser, &QSpinBox::valueChanged, this, [this] { showDraft(); });
+  connect(m_chooser, &QSpinBox::valueChanged, this, [this] { this->editor()->closeStep(); });
   connect(m_chooser, &QSpinBox::valueChanged, this, &WeightsForm::weightChosen);
 }
 
