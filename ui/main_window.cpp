@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScreen>
@@ -11,6 +12,7 @@
 #include <QScrollBar>
 #include <QShowEvent>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "ui/control/commands.h"
@@ -37,6 +39,7 @@
 #include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/scene_toolbar.h"
 #include "ui/panels/selection_links.h"
 #include "ui/panels/step_panel.h"
 #include "ui/panels/timeline.h"
@@ -119,7 +122,10 @@ void MainWindow::buildCentre() {
   layout->setSpacing(0);
   layout->addWidget(m_problemBar);
   layout->addWidget(m_stopBar);
-  layout->addWidget(m_view, 1);
+  auto* bench = new QHBoxLayout;
+  bench->addWidget(sceneToolbar(*m_commands));
+  bench->addWidget(m_view, 1);
+  layout->addLayout(bench, 1);
   layout->addWidget(new Timeline(m_controller, m_events));
   layout->addWidget(m_playback);
   setCentralWidget(centre);
@@ -289,6 +295,7 @@ void MainWindow::connectView() {
   connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneArea::zoomOut);
   connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
   m_hand = new SceneCommands(*m_commands, {m_editor, m_selection, m_controller, m_view}, this);
+  m_exports->setPictured([this] { return PicturedMarks{m_hand->marks(), m_view->trails()}; });
   connect(m_hand, &SceneCommands::draggingChanged, this, &MainWindow::showProblems);
   connect(m_hand, &SceneCommands::said, statusBar(),
           [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); });

@@ -145,7 +145,8 @@ void WeightMover::forgetWords() {
 
 void WeightMover::change(const Edit& edit, const QString& words, const QString& mergeKey) {
   const auto index = static_cast<std::size_t>(*m_selection->weight());
-  m_editor->change([&](core::Scene& scene) { edit(scene.weights[index]); }, words, mergeKey);
+  m_editor->change([&](core::Scene& scene) { edit(scene.weights[index]); }, words,
+                   mergeKey + QString::number(index));
 }
 
 void WeightMover::say(const QStringList& words) {

@@ -52,6 +52,10 @@ void SceneArea::setHand(SceneHand* hand) {
   for (SceneView* view : m_views) view->setHand(hand);
 }
 
+const Trails* SceneArea::trails() const {
+  return m_views.size() == 1 ? m_views.front()->trails() : nullptr;
+}
+
 void SceneArea::setSplit(bool split) {
   if (split == m_split) return;
   m_split = split;

@@ -33,6 +33,9 @@ class SceneArea : public QWidget {
   /// @param hand  gets hold of things by mouse; must outlive the views
   void setHand(SceneHand* hand);
 
+  /// The trails of all runs as they are shown; null while they are not, or not in one view.
+  const Trails* trails() const;
+
   bool isSplit() const { return m_split; }
   /// In the order of the runs; one for all where they are not split.
   const std::vector<SceneView*>& views() const { return m_views; }

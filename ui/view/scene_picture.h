@@ -5,6 +5,8 @@
 #include <QSize>
 #include <QString>
 
+#include "ui/view/scene_marks.h"
+
 namespace core {
 class Run;
 }
@@ -13,16 +15,23 @@ namespace ui {
 
 class Trails;
 
+/// What is drawn besides the runs themselves.
+struct PicturedMarks {
+  SceneMarks marks = {};           ///< the selected weight is not marked: nobody can move it
+  const Trails* trails = nullptr;  ///< of these runs; null: none
+};
+
+inline constexpr QSize kUsualPictureSize(1200, 900);
+
 /// Draws the runs at one moment into a file, with no display needed: a light picture for
 /// paper, in PNG, SVG or PDF by the file's ending. Never leaves a half-written file.
 ///
 /// @param runs    of one scene, the first filled, the others as outlines
 /// @param time    [s], inside the latest step of every run
 /// @param size    of the picture in px at 96 dpi; PNG is written at twice that
-/// @param trails  of these runs, drawn too; null: none
 /// @return        empty, or what went wrong in words
 QString writeScenePicture(const QString& file, const std::vector<const core::Run*>& runs,
-                          double time, QSize size = QSize(1200, 900),
-                          const Trails* trails = nullptr);
+                          double time, QSize size = kUsualPictureSize,
+                          const PicturedMarks& pictured = {});
 
 }  // namespace ui
