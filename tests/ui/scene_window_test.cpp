@@ -49,6 +49,7 @@ class Window : public ui::MainWindow {
  public:
   explicit Window(const core::Scene& scene = threeKinds()) : MainWindow(scene), hand(*this) {
     controller()->setStopwatch([] { return 0.0; });
+    setWindowState(Qt::WindowNoState);
     resize(1400, 1000);
     show();
     if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
@@ -230,7 +231,7 @@ void SceneWindowTest::controlSnaps() {
   window.hand.drag(window.start(kHanging), onRope(-40, 0.84),
                    Qt::ControlModifier | Qt::ShiftModifier);
   QCOMPARE(window.rope().length, 0.85);
-  window.hand.drag(window.start(kFree), {2.28, 1.43}, Qt::ControlModifier);
+  window.hand.drag(window.start(kFree), {2.29, 1.44}, Qt::ControlModifier);
   QCOMPARE(window.weight(kFree).position, Vector2d(2.3, 1.45));
 }
 

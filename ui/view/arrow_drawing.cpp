@@ -14,6 +14,7 @@
 #include "ui/view/drawing.h"
 #include "ui/view/scene_look.h"
 #include "ui/view/shown_scene.h"
+#include "ui/view/words_beside.h"
 
 namespace ui {
 
@@ -22,9 +23,10 @@ namespace {
 constexpr double kLeastArrow = 2;   // shorter ones would be all head [px]
 constexpr double kMostArrow = 1e4;  // longer ones end far outside of any picture [px]
 constexpr double kEdge = 10;        // left and right of the legend [px]
-constexpr double kEntryGap = 24;    // between its entries [px]
-constexpr double kNameArrow = 26;   // before a name [px]
+constexpr double kEntryGap = 18;    // between its entries [px]
+constexpr double kNameArrow = 24;   // before a name [px]
 constexpr double kWordsGap = 6;     // between arrow and name [px]
+constexpr double kNumberGap = 6;    // between a rope and its number [px]
 constexpr std::size_t kMany = 100;  // with more weights than these arrows are thinner
 constexpr std::size_t kMostNumbers = 16;
 
@@ -43,7 +45,7 @@ QString value(double number, const QString& unit) {
   const double size = std::abs(number);
   if (size > 0 && (size < 1e-3 || size >= 1e5))
     return QLocale().toString(number, 'e', 1) + ' ' + unit;
-  const int decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 0.1 || size == 0 ? 2 : 4;
+  const int decimals = size == 0 || size >= 1000 ? 0 : size >= 100 ? 1 : size >= 0.1 ? 2 : 3;
   return QLocale().toString(number, 'f', decimals) + ' ' + unit;
 }
 
@@ -76,7 +78,7 @@ struct Entry {
 
 /// The longest that words with a value get, so that nothing moves while the value does.
 double widestWords(const QString& name, const QString& unit, const SceneLook& look) {
-  return widthOf(name + QStringLiteral(" 0.0000 ") + unit, look.font);
+  return widthOf(name + QStringLiteral(" 00.00 ") + unit, look.font);
 }
 
 class Legend {
@@ -182,33 +184,50 @@ void addArrowsOf(const ShownScene& shown, std::size_t index, double width, const
   for (const PixelVector& vector : vectors) addArrow(state.position, vector, width, camera, layer);
 }
 
-/// Beside the middle of the rope.
-void addTension(const core::Weight& weight, const core::WeightState& state, const Camera& camera,
-                const SceneLook& look, Drawing& drawing) {
-  const bool isTied = state.phase == core::Phase::kTethered || state.phase == core::Phase::kSlack;
-  if (!weight.rope || !isTied) return;
-  const QString words = value(state.tension, QStringLiteral("N"));
-  const Eigen::Vector2d middle = (weight.rope->pivot + state.position) / 2;
-  const QPointF way = camera.toPixels(state.position) - camera.toPixels(weight.rope->pivot);
-  // On the side that lies above the leaning rope.
-  const double side = way.x() < 0 ? -1 : 1;
-  const double left = side > 0 ? 8 : -8 - widthOf(words, look.font);
-  drawing.texts.push_back({middle, QPointF(left, -lineHeight(look.font) / 2), words, look.font,
-                           look.theme.lostToRopes.rgb(), withOpacity(look.theme.room, 0.85)});
-}
+/// Puts the tensions of ropes beside their middles where no other one stands yet.
+class TensionNumbers {
+ public:
+  TensionNumbers(const ShownScene& shown, const Camera& camera, const SceneLook& look,
+                 Drawing& drawing)
+      : m_shown(shown), m_camera(camera), m_look(look), m_drawing(drawing) {}
 
+  void add(std::size_t index) {
+    const core::Weight& weight = m_shown.scene.weights[index];
+    const core::WeightState& state = m_shown.runs[0].weights[index];
+    const bool isTied = state.phase == core::Phase::kTethered || state.phase == core::Phase::kSlack;
+    if (!weight.rope || !isTied) return;
+    const QString words = value(state.tension, QStringLiteral("N"));
+    const QSizeF size(widthOf(words, m_look.font), lineHeight(m_look.font));
+    const QPointF corner = cornerBeside(m_camera.toPixels(weight.rope->pivot),
+                                        m_camera.toPixels(state.position), size, kNumberGap);
+    const QRectF box(corner, size);
+    if (std::ranges::any_of(m_taken, [&](const QRectF& other) { return other.intersects(box); }))
+      return;
+    m_taken.push_back(box);
+    m_drawing.texts.push_back({m_camera.toMetres(corner), QPointF(0, 0), words, m_look.font,
+                               m_look.theme.lostToRopes.rgb(),
+                               withOpacity(m_look.theme.room, 0.85)});
+  }
+
+ private:
+  const ShownScene& m_shown;
+  const Camera& m_camera;
+  const SceneLook& m_look;
+  Drawing& m_drawing;
+  std::vector<QRectF> m_taken;
+};
+
+/// The selected weight's comes first; in crowds no other one.
 void drawTensions(const ShownScene& shown, const Camera& camera, const SceneLook& look,
                   Drawing& drawing) {
-  const std::vector<core::WeightState>& states = shown.runs[0].weights;
-  if (states.size() > kMostNumbers) {
-    if (!shown.marks.selection) return;
-    const auto index = static_cast<std::size_t>(shown.marks.selection->weight);
-    if (index < states.size())
-      addTension(shown.scene.weights[index], states[index], camera, look, drawing);
-    return;
-  }
-  for (std::size_t i = 0; i < states.size(); ++i)
-    addTension(shown.scene.weights[i], states[i], camera, look, drawing);
+  TensionNumbers numbers(shown, camera, look, drawing);
+  const std::size_t count = shown.runs[0].weights.size();
+  const std::size_t selected =
+      shown.marks.selection ? static_cast<std::size_t>(shown.marks.selection->weight) : count;
+  if (selected < count) numbers.add(selected);
+  if (count > kMostNumbers) return;
+  for (std::size_t i = 0; i < count; ++i)
+    if (i != selected) numbers.add(i);
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ void drawArrowLegend(const ShownScene& shown, double top, const Camera& camera,
                      const SceneLook& look, Drawing& drawing);
 
 /// Adds the velocity of each weight of the first run, the forces on it, and the tension of its
-/// rope in newtons, as far as they are shown. In crowds numbers stand at the selected weight
-/// alone: they could not be told apart.
+/// rope in newtons, as far as they are shown. Numbers that would lie on each other are left out;
+/// in crowds they stand at the selected weight alone.
 void drawArrows(const ShownScene& shown, const Camera& camera, const SceneLook& look,
                 Drawing& drawing);
 

@@ -1,6 +1,6 @@
 #include "ui/view/measuring_tape.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include <QCoreApplication>
 
@@ -8,6 +8,7 @@
 #include "ui/view/drawing.h"
 #include "ui/view/length_text.h"
 #include "ui/view/scene_look.h"
+#include "ui/view/words_beside.h"
 
 namespace ui {
 
@@ -40,7 +41,6 @@ void addEnds(const MeasuringTape& tape, const Camera& camera, QRgb color, Layer&
     layer.lines.push_back({end - across, end + across, kWidth, color});
 }
 
-/// Above the tape's middle, clear of it whichever way it leads.
 void addWords(const MeasuringTape& tape, const Camera& camera, const SceneLook& look,
               Drawing& drawing) {
   const Eigen::Vector2d way = tape.to - tape.from;
@@ -50,20 +50,16 @@ void addWords(const MeasuringTape& tape, const Camera& camera, const SceneLook& 
   const QFont large = largeFont(look);
   const QSizeF box(std::max(widthOf(length, large), widthOf(parts, look.font)),
                    lineHeight(large) + lineHeight(look.font));
-  QPointF normal(0, -1);
-  if (way.norm() > 0) normal = QPointF(-way.y(), -way.x()) / way.norm();
-  if (normal.y() > 0) normal = -normal;
-  const double reach =
-      std::abs(normal.x()) * box.width() / 2 + std::abs(normal.y()) * box.height() / 2 + kDistance;
-  const QPointF middle = camera.toPixels((tape.from + tape.to) / 2) + normal * reach;
+  const QPointF corner =
+      cornerBeside(camera.toPixels(tape.from), camera.toPixels(tape.to), box, kDistance);
   const QRgb plate = withOpacity(look.theme.room, 0.85);
   const auto add = [&](const QString& words, const QFont& font, double top) {
-    const QPointF corner(middle.x() - widthOf(words, font) / 2, top);
+    const QPointF place = corner + QPointF((box.width() - widthOf(words, font)) / 2, top);
     drawing.texts.push_back(
-        {camera.toMetres(corner), QPointF(0, 0), words, font, look.theme.text.rgb(), plate});
+        {camera.toMetres(place), QPointF(0, 0), words, font, look.theme.text.rgb(), plate});
   };
-  add(parts, look.font, middle.y() - box.height() / 2 + lineHeight(large));
-  add(length, large, middle.y() - box.height() / 2);
+  add(parts, look.font, lineHeight(large));
+  add(length, large, 0);
 }
 
 }  // namespace

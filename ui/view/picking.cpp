@@ -1,8 +1,8 @@
 #include "ui/view/picking.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include "ui/view/arrow_scale.h"
 #include "ui/view/camera.h"
@@ -15,10 +15,13 @@ namespace {
 
 constexpr double kLeastGripDistance = 26;  // from the weight's edge [px]
 
+double distance(QPointF a, QPointF b) {
+  return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
 /// From the pixel to the edge of the disc as it is drawn; 0 inside [px].
 double distanceToEdge(QPointF center, double radius, QPointF pixel) {
-  const double away = std::hypot(pixel.x() - center.x(), pixel.y() - center.y());
-  return std::max(away - std::max(radius, kLeastRadius), 0.0);
+  return std::max(distance(center, pixel) - std::max(radius, kLeastRadius), 0.0);
 }
 
 /// Unit vector the weight sets out along, or could.
@@ -33,14 +36,15 @@ Eigen::Vector2d wayOf(const core::Weight& weight) {
 
 std::optional<int> weightNear(const ShownScene& shown, const Camera& camera, QPointF pixel) {
   std::optional<int> nearest;
-  // Of weights under the pointer the smallest lies in front of the others.
-  std::pair<double, double> least{kPickReach, 0};
+  // Of weights under the pointer the smallest counts, for it can be hidden by the others.
+  std::array<double, 3> least{kPickReach, 0, 0};
   for (const ShownRun& run : shown.runs) {
     for (std::size_t i = 0; i < run.weights.size(); ++i) {
       const double radius = shown.scene.weights[i].radius * camera.scale();
-      const double away = distanceToEdge(camera.toPixels(run.weights[i].position), radius, pixel);
-      const std::pair<double, double> rank{away, radius};
-      if (away > kPickReach || (nearest && rank >= least)) continue;
+      const QPointF center = camera.toPixels(run.weights[i].position);
+      const std::array<double, 3> rank{distanceToEdge(center, radius, pixel), radius,
+                                       distance(center, pixel)};
+      if (rank[0] > kPickReach || (nearest && rank >= least)) continue;
       least = rank;
       nearest = static_cast<int>(i);
     }

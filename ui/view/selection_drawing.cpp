@@ -55,7 +55,9 @@ void addWords(const QStringList& words, const Eigen::Vector2d& center, double ra
   const QPointF middle = camera.toPixels(center);
   const bool fitsRight = middle.x() + reach + width + kWordsGap <= camera.viewport().width();
   const double left = fitsRight ? middle.x() + reach : middle.x() - reach - width;
-  double top = std::max(middle.y() - reach - height, kWordsGap);
+  // Below, because the rope is above.
+  double top = middle.y() + reach / 2;
+  if (top + height > camera.viewport().height()) top = middle.y() - reach - height;
   for (const QString& line : words) {
     drawing.texts.push_back({camera.toMetres({left, top}), QPointF(0, 0), line, look.font,
                              look.theme.text.rgb(), withOpacity(look.theme.room, 0.85)});
