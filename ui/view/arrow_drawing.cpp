@@ -29,6 +29,7 @@ constexpr double kWordsGap = 6;     // between arrow and name [px]
 constexpr double kNumberGap = 6;    // between a rope and its number [px]
 constexpr std::size_t kMany = 100;  // with more weights than these arrows are thinner
 constexpr std::size_t kMostNumbers = 16;
+constexpr std::size_t kMostWithArrows = 1000;  // more would be a thicket that takes long to draw
 
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(ui::SceneView)
@@ -49,16 +50,17 @@ QString value(double number, const QString& unit) {
   return QLocale().toString(number, 'f', decimals) + ' ' + unit;
 }
 
-/// Its own numbers, or those of the only one.
+/// Index of the selected weight; beyond all weights: none.
+std::size_t selectedIn(const ShownScene& shown) {
+  if (!shown.marks.selection) return shown.scene.weights.size();
+  return static_cast<std::size_t>(shown.marks.selection->weight);
+}
+
+/// The selected weight, or the only one; null: neither.
 const core::WeightState* describedState(const ShownScene& shown, std::size_t& index) {
   if (shown.runs.empty()) return nullptr;
   const std::vector<core::WeightState>& weights = shown.runs[0].weights;
-  if (shown.marks.selection)
-    index = static_cast<std::size_t>(shown.marks.selection->weight);
-  else if (weights.size() == 1)
-    index = 0;
-  else
-    return nullptr;
+  index = weights.size() == 1 ? 0 : selectedIn(shown);
   return index < weights.size() ? &weights[index] : nullptr;
 }
 
@@ -88,6 +90,7 @@ class Legend {
     addScale();
     if (shown.marks.arrows.velocities) addVelocity();
     if (shown.marks.arrows.forces) addForces();
+    if (!m_entries.empty() && shown.scene.weights.size() > kMostWithArrows) addNote();
     placeEntries(width);
   }
 
@@ -117,6 +120,11 @@ class Legend {
     const QString words = m_state ? name + ' ' + value(number, unit) : name;
     const double width = m_state ? widestWords(name, unit, m_look) : widthOf(name, m_look.font);
     add(kNameArrow, color, words, width);
+  }
+
+  void addNote() {
+    const QString words = Words::tr("at the selected weight only");
+    m_entries.push_back({0, m_look.theme.text, words, widthOf(words, m_look.font)});
   }
 
   void addVelocity() {
@@ -222,8 +230,7 @@ void drawTensions(const ShownScene& shown, const Camera& camera, const SceneLook
                   Drawing& drawing) {
   TensionNumbers numbers(shown, camera, look, drawing);
   const std::size_t count = shown.runs[0].weights.size();
-  const std::size_t selected =
-      shown.marks.selection ? static_cast<std::size_t>(shown.marks.selection->weight) : count;
+  const std::size_t selected = selectedIn(shown);
   if (selected < count) numbers.add(selected);
   if (count > kMostNumbers) return;
   for (std::size_t i = 0; i < count; ++i)
@@ -242,10 +249,11 @@ void drawArrowLegend(const ShownScene& shown, double top, const Camera& camera,
   for (const Entry& entry : legend.entries()) {
     const QPointF corner = entry.corner + QPointF(0, top);
     const QPointF from = corner + QPointF(0, lineHeight(look.font) / 2);
-    drawing.layers[kFrontLayer].arrows.push_back({camera.toMetres(from),
-                                                  camera.toMetres(from + QPointF(entry.arrow, 0)),
-                                                  3, entry.color.rgb()});
-    const QPointF words = corner + QPointF(entry.arrow + kWordsGap, 0);
+    if (entry.arrow > 0)
+      drawing.layers[kFrontLayer].arrows.push_back({camera.toMetres(from),
+                                                    camera.toMetres(from + QPointF(entry.arrow, 0)),
+                                                    3, entry.color.rgb()});
+    const QPointF words = corner + QPointF(entry.arrow > 0 ? entry.arrow + kWordsGap : 0, 0);
     drawing.texts.push_back({camera.toMetres(words), QPointF(0, 0), entry.words, look.font,
                              look.theme.text.rgb(), withOpacity(look.theme.background, 0.85)});
   }
@@ -257,9 +265,13 @@ void drawArrows(const ShownScene& shown, const Camera& camera, const SceneLook& 
   const ShownArrows& arrows = shown.marks.arrows;
   const std::size_t count = shown.runs[0].weights.size();
   const double width = count > kMany ? 1.5 : 3;
-  if (arrows.velocities || arrows.forces)
-    for (std::size_t i = 0; i < count; ++i)
-      addArrowsOf(shown, i, width, camera, look, drawing.layers[kFrontLayer]);
+  Layer& layer = drawing.layers[kFrontLayer];
+  if (arrows.velocities || arrows.forces) {
+    if (count <= kMostWithArrows)
+      for (std::size_t i = 0; i < count; ++i) addArrowsOf(shown, i, width, camera, look, layer);
+    else if (const std::size_t selected = selectedIn(shown); selected < count)
+      addArrowsOf(shown, selected, 2 * width, camera, look, layer);
+  }
   if (arrows.tensions) drawTensions(shown, camera, look, drawing);
 }
 

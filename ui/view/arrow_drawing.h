@@ -19,7 +19,7 @@ void drawArrowLegend(const ShownScene& shown, double top, const Camera& camera,
 
 /// Adds the velocity of each weight of the first run, the forces on it, and the tension of its
 /// rope in newtons, as far as they are shown. Numbers that would lie on each other are left out;
-/// in crowds they stand at the selected weight alone.
+/// in crowds numbers, and in larger ones arrows too, stand at the selected weight alone.
 void drawArrows(const ShownScene& shown, const Camera& camera, const SceneLook& look,
                 Drawing& drawing);
 

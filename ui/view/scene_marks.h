@@ -17,7 +17,7 @@ struct ShownArrows {
   bool velocities = false;
   bool forces = false;
   bool tensions = false;  ///< numbers at the ropes
-  ArrowScales scales;
+  ArrowScales scales = {};
 
   bool operator==(const ShownArrows&) const = default;
 };

@@ -64,6 +64,7 @@ class ArrowDrawingTest : public QObject {
   void writesTensionsAtTheRopes();
   void numbersDoNotLieOnEachOther();
   void inCrowdsOnlyTheSelectedWeightHasANumber();
+  void inLargeCrowdsOnlyTheSelectedWeightHasArrows();
   void theRoomMakesPlaceForTheLegend();
 };
 
@@ -171,6 +172,21 @@ void ArrowDrawingTest::inCrowdsOnlyTheSelectedWeightHasANumber() {
   QCOMPARE(words(drawn(shown)).filter(" N"), QStringList());
   shown.marks.selection = ui::ShownSelection{99, false, {}};
   QCOMPARE(words(drawn(shown)).filter(" N"), QStringList("100.0 N"));
+}
+
+void ArrowDrawingTest::inLargeCrowdsOnlyTheSelectedWeightHasArrows() {
+  ui::ShownScene shown = example::freeWeights(5000, 0.001, 0);
+  shown.marks.arrows.forces = true;
+  const auto arrowsAtWeights = [&] {
+    const ui::Drawing drawing = drawn(shown);
+    const auto& arrows = drawing.layers[ui::kFrontLayer].arrows;
+    return std::count_if(arrows.begin(), arrows.end(),
+                         [](const ui::Arrow& arrow) { return arrow.from.y() == 1; });
+  };
+  QCOMPARE(arrowsAtWeights(), 0);
+  QVERIFY(words(drawn(shown)).contains("at the selected weight only"));
+  shown.marks.selection = ui::ShownSelection{4321, false, {}};
+  QCOMPARE(arrowsAtWeights(), 1);
 }
 
 void ArrowDrawingTest::theRoomMakesPlaceForTheLegend() {
