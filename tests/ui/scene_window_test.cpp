@@ -161,12 +161,12 @@ void SceneWindowTest::aDragTurnsARope() {
   window.hand.press(window.hand.pixel(window.start(kHanging)));
   // Further away than the rope is long: only the direction counts.
   window.hand.move(window.hand.pixel(onRope(-50, 1.2)));
-  // Two pixels off at most, each 1/1.2 m of an angle; and rounded to a tenth of a degree.
+  // Two pixels off at most, seen from 1.2 m, and rounded to less.
   const double grain = core::degrees(2 * window.hand.grain() / 1.2) + 0.1;
   QVERIFY2(std::abs(core::degrees(window.rope().angle) + 50) < grain,
            qPrintable(number(core::degrees(window.rope().angle))));
   QCOMPARE(window.rope().length, 1.0);
-  QVERIFY2(window.words().contains(number(core::degrees(window.rope().angle)) + "°"),
+  QVERIFY2(window.words().contains(number(-core::degrees(window.rope().angle)) + "°"),
            qPrintable(window.words()));
   // The weight is where it is shown, within what it is drawn from.
   QVERIFY((window.controller()->run(0).weight(kHanging).position - window.start(kHanging)).norm() <

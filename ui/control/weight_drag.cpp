@@ -20,7 +20,13 @@ double powerOfTenBelow(double value) {
   return std::pow(10.0, std::floor(std::log10(value) + 1e-9));
 }
 
-/// What a value is rounded to: `fine`, or where the hand snaps, kSnapSteps steps.
+/// As the forms write it, but with a true minus sign.
+QString written(double value) {
+  return quantityText(value).replace('-', QChar(0x2212));
+}
+
+/// What a value is rounded to: the largest power of ten up to `fine`, or where the hand snaps,
+/// kSnapSteps steps.
 double grain(double fine, double step, const HandFineness& fineness) {
   return fineness.snaps ? kSnapSteps * step : powerOfTenBelow(fine);
 }
@@ -106,23 +112,23 @@ void nudgeVelocity(core::Weight& weight, const Eigen::Vector2d& way, const HandS
 }
 
 QString angleWords(const core::Rope& rope) {
-  return Words::tr("Angle %1°").arg(quantityText(core::degrees(rope.angle)));
+  return Words::tr("Angle %1°").arg(written(core::degrees(rope.angle)));
 }
 
 QString lengthWords(const core::Rope& rope) {
-  return Words::tr("Length %1 m").arg(quantityText(rope.length));
+  return Words::tr("Length %1 m").arg(written(rope.length));
 }
 
 QString positionWords(const core::Weight& weight) {
   return Words::tr("x %1 m, y %2 m")
-      .arg(quantityText(weight.position.x()), quantityText(weight.position.y()));
+      .arg(written(weight.position.x()), written(weight.position.y()));
 }
 
 QString velocityWords(const core::Weight& weight) {
   if (weight.rope)
-    return Words::tr("%1 °/s").arg(quantityText(core::degrees(weight.rope->angularVelocity)));
+    return Words::tr("%1 °/s").arg(written(core::degrees(weight.rope->angularVelocity)));
   return Words::tr("vx %1 m/s, vy %2 m/s")
-      .arg(quantityText(weight.velocity.x()), quantityText(weight.velocity.y()));
+      .arg(written(weight.velocity.x()), written(weight.velocity.y()));
 }
 
 }  // namespace ui

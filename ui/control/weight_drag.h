@@ -27,8 +27,8 @@ double roundedTo(double value, double step);
 
 /// How exactly a hand leads what it holds.
 struct HandFineness {
-  double length = 1e-3;  ///< what a pixel is wide, or less [m]
-  double speed = 1e-2;   ///< what a pixel of a velocity's arrow means, or less [m/s]
+  double length = 1e-3;  ///< how wide a pixel is [m]
+  double speed = 1e-2;   ///< what a pixel of a velocity's arrow means [m/s]
   bool snaps = false;    ///< to kSnapSteps steps
   HandSteps steps{0.01, 0.1};
 };

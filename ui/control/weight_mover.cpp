@@ -8,7 +8,6 @@
 #include "ui/control/selection.h"
 #include "ui/control/weight_drag.h"
 #include "ui/view/camera.h"
-#include "ui/view/length_text.h"
 #include "ui/view/picking.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/shown_scene.h"
@@ -66,7 +65,7 @@ void WeightMover::drag(const SceneView& view, QPointF pixel, Qt::KeyboardModifie
   const Camera& camera = view.camera();
   const Eigen::Vector2d place = camera.toMetres(pixel + m_held->offset);
   const double perSpeed = m_held->scales.pixelsPerSpeed();
-  const HandFineness fineness{finestLength(camera), 1 / perSpeed,
+  const HandFineness fineness{1 / camera.scale(), 1 / perSpeed,
                               modifiers.testFlag(Qt::ControlModifier),
                               handSteps(m_editor->draft().room)};
   const bool setsLength = modifiers.testFlag(Qt::ShiftModifier);
