@@ -42,6 +42,7 @@ class MainMenu : public QObject {
   void addWeightMenu(QMenuBar* bar, const Commands& commands);
   void addChartMenu(QMenuBar* bar, const Commands& commands);
   void addHelpMenu(QMenuBar* bar, const Commands& commands);
+  static void addButtons(QMenuBar* bar, const Commands& commands);
   void listBuiltInScenes();
 
   QMenu* m_scenes;

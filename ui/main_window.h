@@ -13,9 +13,11 @@ namespace ui {
 class Appearance;
 class ChartsPanel;
 class Commands;
+class CutWindow;
 class EventNavigator;
 class Exports;
 class FrameTicker;
+class LessonGuide;
 class MainMenu;
 class MessageBar;
 class PlaybackBar;
@@ -25,6 +27,7 @@ class SceneCommands;
 class SceneEditor;
 class SceneFiles;
 class Selection;
+class TargetControl;
 class TradeWindow;
 
 /// The window: the scene in the middle, forms at its side, charts below. Puts the
@@ -47,6 +50,7 @@ class MainWindow : public QMainWindow {
   Exports* exports() const { return m_exports; }
   const Commands& commands() const { return *m_commands; }
   ChartsPanel* charts() const { return m_charts; }
+  TargetControl* target() const { return m_target; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -64,6 +68,7 @@ class MainWindow : public QMainWindow {
   void connectScene();
   void connectFiles();
   void connectView();
+  void connectTarget();
 
   void startScene();
   void showTime(double time);
@@ -73,6 +78,7 @@ class MainWindow : public QMainWindow {
   void showPainter();
   void changeSpeed(int steps);
   void showTrade();
+  void showWhenToCut();
 
   Appearance* m_appearance;
   SceneEditor* m_editor;
@@ -87,13 +93,16 @@ class MainWindow : public QMainWindow {
   MainMenu* m_menu;
   SceneArea* m_view;
   SceneCommands* m_hand = nullptr;
+  TargetControl* m_target;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
+  LessonGuide* m_lessons;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
-  TradeWindow* m_trade = nullptr;  // made when it is wanted first
-  bool m_panelsSized = false;      // once: from then on the user decides
+  TradeWindow* m_trade = nullptr;    // made when it is wanted first
+  CutWindow* m_whenToCut = nullptr;  // likewise
+  bool m_panelsSized = false;        // once: from then on the user decides
 };
 
 }  // namespace ui

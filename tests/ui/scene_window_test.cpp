@@ -149,10 +149,10 @@ void SceneWindowTest::aClickSelectsTheNearestWeight() {
 void SceneWindowTest::keysWalkRoundTheWeights() {
   Window window;
   for (const int weight : {0, 1, 2, 0}) {
-    window.press(Qt::Key_W);
+    window.press(Qt::Key_N);
     QCOMPARE(window.selection()->weight(), weight);
   }
-  window.press(Qt::Key_W, Qt::ShiftModifier);
+  window.press(Qt::Key_N, Qt::ShiftModifier);
   QCOMPARE(window.selection()->weight(), 2);
 }
 
@@ -322,7 +322,7 @@ void SceneWindowTest::theGroundMovesTheView() {
 void SceneWindowTest::keysMoveTheSelectedWeight() {
   Window window;
   QVERIFY(!window.commands().action(Command::kMoveLeft)->isEnabled());
-  window.press(Qt::Key_W);
+  window.press(Qt::Key_N);
   window.press(Qt::Key_Right, Qt::AltModifier);
   window.press(Qt::Key_Right, Qt::AltModifier);
   window.press(Qt::Key_Left, Qt::AltModifier);
@@ -333,7 +333,7 @@ void SceneWindowTest::keysMoveTheSelectedWeight() {
   window.press(Qt::Key_Down, Qt::AltModifier);
   QCOMPARE(window.rope().length, 1.01);
   QVERIFY2(window.words().contains("1.01 m"), qPrintable(window.words()));
-  window.press(Qt::Key_W);
+  window.press(Qt::Key_N);
   for (int i = 0; i < 10; ++i) window.press(Qt::Key_Left, Qt::AltModifier);
   window.press(Qt::Key_Up, Qt::AltModifier);
   QCOMPARE(window.weight(kFree).position, Vector2d(2.9, 1.01));
@@ -346,10 +346,10 @@ void SceneWindowTest::keysMoveTheSelectedWeight() {
 
 void SceneWindowTest::keysSetItsVelocity() {
   Window window;
-  window.press(Qt::Key_W);
+  window.press(Qt::Key_N);
   for (int i = 0; i < 3; ++i) window.press(Qt::Key_Right, Qt::AltModifier | Qt::ShiftModifier);
   QCOMPARE(window.rope().angularVelocity, core::radians(15));
-  window.press(Qt::Key_W);
+  window.press(Qt::Key_N);
   for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Up, Qt::Key_Up, Qt::Key_Down})
     window.press(key, Qt::AltModifier | Qt::ShiftModifier);
   QCOMPARE(window.weight(kFree).velocity, Vector2d(-0.1, 0.2));
@@ -357,7 +357,7 @@ void SceneWindowTest::keysSetItsVelocity() {
 
 void SceneWindowTest::keysRestartARunLikeAForm() {
   Window window;
-  window.press(Qt::Key_W);
+  window.press(Qt::Key_N);
   window.press(Qt::Key_Space);
   window.controller()->passTime(0.1);
   window.press(Qt::Key_Right, Qt::AltModifier);

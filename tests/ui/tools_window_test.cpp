@@ -175,22 +175,22 @@ void ToolsWindowTest::switchesByButton() {
 
 void ToolsWindowTest::measuresALengthByHand() {
   Window window;
-  window.press(Qt::Key_L);
+  window.press(Qt::Key_D);
   window.hand.drag(window.placeOf(ToolPart::kTapeFrom), window.hand.pixel({1, 1}));
   window.hand.drag(window.placeOf(ToolPart::kTapeTo), window.hand.pixel({2.2, 0.5}));
   const double length = (window.tools().tape->to - window.tools().tape->from).norm();
   // Each end is within a pixel and what the grip was missed by.
   QVERIFY2(std::abs(length - 1.3) < 4 * window.hand.grain(), qPrintable(QString::number(length)));
   QVERIFY(window.words().contains(QString::number(length, 'f', 3) + " m"));
-  window.press(Qt::Key_L);
+  window.press(Qt::Key_D);
   QVERIFY(!window.tools().tape);
-  window.press(Qt::Key_L);  // comes back where it was
+  window.press(Qt::Key_D);  // comes back where it was
   QCOMPARE((window.tools().tape->to - window.tools().tape->from).norm(), length);
 }
 
 void ToolsWindowTest::theRulerSnapsToPivotsAndWeights() {
   Window window;
-  window.press(Qt::Key_L);
+  window.press(Qt::Key_D);
   const auto lead = [&](ToolPart part, const Vector2d& to) {
     window.hand.drag(window.placeOf(part), window.hand.pixel(to) + QPoint(6, -5),
                      Qt::ControlModifier);
@@ -216,8 +216,8 @@ void ToolsWindowTest::measuresAnAngleByHand() {
 
 void ToolsWindowTest::movesToolsByKey() {
   Window window;
-  window.press(Qt::Key_W);
-  window.press(Qt::Key_L);
+  window.press(Qt::Key_N);
+  window.press(Qt::Key_D);
   const ui::MeasuringTape before = *window.tools().tape;
   window.press(Qt::Key_H);
   QCOMPARE(window.tools().chosen, ToolPart::kTapeFrom);
@@ -237,7 +237,7 @@ void ToolsWindowTest::movesToolsByKey() {
 
 void ToolsWindowTest::theTapeDoesNotHideWeights() {
   Window window;
-  window.press(Qt::Key_L);
+  window.press(Qt::Key_D);
   window.hand.drag(window.placeOf(ToolPart::kTapeFrom), window.hand.pixel({1.5, 2}));
   window.hand.drag(window.placeOf(ToolPart::kTapeTo), window.hand.pixel({2.5, 2}));
   window.hand.click({2, 2});
@@ -248,7 +248,7 @@ void ToolsWindowTest::theTapeDoesNotHideWeights() {
 
 void ToolsWindowTest::toolsStayWhereTheyArePut() {
   Window window;
-  window.press(Qt::Key_L);
+  window.press(Qt::Key_D);
   window.press(Qt::Key_A);
   const Vector2d tape = window.tools().tape->to, arm = window.tools().protractor->first;
   window.controller()->goTo(1);
@@ -303,8 +303,8 @@ void ToolsWindowTest::theStopwatchStartsAnewWithTheScene() {
 
 void ToolsWindowTest::everyViewOfSplitViewsShowsTheMarks() {
   Window window;
-  window.press(Qt::Key_L);
-  window.press(Qt::Key_W);
+  window.press(Qt::Key_D);
+  window.press(Qt::Key_N);
   window.press(Qt::Key_V);
   const auto views = window.findChildren<ui::SceneView*>();
   QCOMPARE(views.size(), 2);
@@ -324,14 +324,14 @@ void ToolsWindowTest::exportsWhatIsShown() {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   };
   const QByteArray plain = exported("plain.svg");
-  window.press(Qt::Key_W);  // nobody can move a weight on paper
+  window.press(Qt::Key_N);  // nobody can move a weight on paper
   QCOMPARE(exported("selected.svg"), plain);
   QByteArray last = plain;
   const std::vector<std::pair<Qt::Key, Qt::KeyboardModifiers>> keys = {
       {Qt::Key_V, Qt::ShiftModifier},
       {Qt::Key_F, Qt::ShiftModifier},
       {Qt::Key_T, Qt::ShiftModifier},
-      {Qt::Key_L, {}},
+      {Qt::Key_D, {}},
       {Qt::Key_A, {}},
       {Qt::Key_K, {}}};
   for (const auto& [key, modifiers] : keys) {

@@ -23,6 +23,10 @@ constexpr Look kLooks[] = {
      QT_TRANSLATE_NOOP("ui::Commands", "Start with one weight in an empty room"), "new", "Ctrl+N"},
     {Command::kOpen, QT_TRANSLATE_NOOP("ui::Commands", "&Open…"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Open a scene file"), "open", "Ctrl+O"},
+    {Command::kLessons, QT_TRANSLATE_NOOP("ui::Commands", "&Lessons…"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Lessons"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Choose one of the built-in scenes by its picture"),
+     "lessons", "Ctrl+L"},
     {Command::kSave, QT_TRANSLATE_NOOP("ui::Commands", "&Save"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Save the scene"), "save", "Ctrl+S"},
     {Command::kSaveAs, QT_TRANSLATE_NOOP("ui::Commands", "Save &as…"), "",
@@ -101,6 +105,9 @@ constexpr Look kLooks[] = {
     {Command::kMeasure, QT_TRANSLATE_NOOP("ui::Commands", "Speed and &accuracy…"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Measure what accuracy costs, and how large steps may be"),
      "accuracy", "Ctrl+M"},
+    {Command::kWhenToCut, QT_TRANSLATE_NOOP("ui::Commands", "&When to cut?…"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Find the moments to cut at that hit the target"),
+     "when-to-cut", "W"},
     {Command::kTrails, QT_TRANSLATE_NOOP("ui::Commands", "&Trails"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show where the weights have just been"), "trails", "T"},
     {Command::kVelocities, QT_TRANSLATE_NOOP("ui::Commands", "V&elocities"), "",
@@ -113,7 +120,7 @@ constexpr Look kLooks[] = {
      QT_TRANSLATE_NOOP("ui::Commands", "Show in newtons how hard each rope pulls"), "tensions",
      "Shift+T"},
     {Command::kTape, QT_TRANSLATE_NOOP("ui::Commands", "&Ruler"), "",
-     QT_TRANSLATE_NOOP("ui::Commands", "Measure a length in the scene"), "tape", "L"},
+     QT_TRANSLATE_NOOP("ui::Commands", "Measure a length in the scene"), "tape", "D"},
     {Command::kProtractor, QT_TRANSLATE_NOOP("ui::Commands", "&Protractor"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Measure an angle in the scene"), "protractor", "A"},
     {Command::kStopwatch, QT_TRANSLATE_NOOP("ui::Commands", "&Stopwatch"), "",
@@ -128,15 +135,22 @@ constexpr Look kLooks[] = {
                        "Choose what Alt and the arrow keys move: an end of the ruler, an arm of "
                        "the protractor …"),
      "", "H"},
+    {Command::kTarget, QT_TRANSLATE_NOOP("ui::Commands", "Tar&get"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show a target on the floor; drag it to where it shall be"),
+     "target", "G"},
+    {Command::kLessonText, QT_TRANSLATE_NOOP("ui::Commands", "&Lesson text"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Lesson"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Show what to look for and what to try, or hide it"),
+     "lesson", "L"},
     {Command::kFit, QT_TRANSLATE_NOOP("ui::Commands", "&Fit the room"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show the whole room"), "fit", "F"},
     {Command::kZoomIn, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &in"), "", "", "zoom-in", "Ctrl++"},
     {Command::kZoomOut, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &out"), "", "", "zoom-out",
      "Ctrl+-"},
     {Command::kNextWeight, QT_TRANSLATE_NOOP("ui::Commands", "&Next weight"), "",
-     QT_TRANSLATE_NOOP("ui::Commands", "Select the next weight"), "", "W"},
+     QT_TRANSLATE_NOOP("ui::Commands", "Select the next weight"), "", "N"},
     {Command::kPreviousWeight, QT_TRANSLATE_NOOP("ui::Commands", "&Previous weight"), "",
-     QT_TRANSLATE_NOOP("ui::Commands", "Select the weight before"), "", "Shift+W"},
+     QT_TRANSLATE_NOOP("ui::Commands", "Select the weight before"), "", "Shift+N"},
     {Command::kDeselect, QT_TRANSLATE_NOOP("ui::Commands", "Select n&one"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Select no weight and no handle any more"), "", "Escape"},
     {Command::kMoveLeft, QT_TRANSLATE_NOOP("ui::Commands", "Move &left"), "",
@@ -170,6 +184,11 @@ constexpr Look kLooks[] = {
     {Command::kAccelerateDown, QT_TRANSLATE_NOOP("ui::Commands", "Fa&ster down"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Add to the speed of the selected weight downwards"), "",
      "Alt+Shift+Down"},
+    {Command::kPresent, QT_TRANSLATE_NOOP("ui::Commands", "&Present"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Present"),
+     QT_TRANSLATE_NOOP("ui::Commands",
+                       "Fill the screen with the scene and one chart, in large type"),
+     "present", "F11"},
     {Command::kNextChart, QT_TRANSLATE_NOOP("ui::Commands", "&Next chart"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show the next kind of chart"), "", "Ctrl+PgDown"},
     {Command::kPreviousChart, QT_TRANSLATE_NOOP("ui::Commands", "&Previous chart"), "",
@@ -204,10 +223,10 @@ Commands::Commands(QObject* parent) : QObject(parent) {
     }
     m_actions[look.command] = action;
   }
-  action(Command::kSplit)->setCheckable(true);
   for (const Command toggle :
-       {Command::kTrails, Command::kVelocities, Command::kForces, Command::kTensions,
-        Command::kTape, Command::kProtractor, Command::kStopwatch})
+       {Command::kSplit, Command::kTrails, Command::kVelocities, Command::kForces,
+        Command::kTensions, Command::kTape, Command::kProtractor, Command::kStopwatch,
+        Command::kTarget, Command::kLessonText, Command::kPresent})
     action(toggle)->setCheckable(true);
   action(Command::kTrails)->setChecked(true);
   action(Command::kZoomIn)->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});

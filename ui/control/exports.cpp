@@ -33,7 +33,7 @@ void Exports::saveChart(const QString& file, QSizeF size) {
 
 void Exports::savePicture(const QString& file) {
   report(file, writeScenePicture(file, m_controller->runs(), m_controller->time(),
-                                 kUsualPictureSize, m_pictured()));
+                                 kScenePictureSize, m_pictured()));
 }
 
 void Exports::saveLedger(const QString& file, int run) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QString>
@@ -7,6 +8,7 @@
 
 #include "ui/view/scene_marks.h"
 #include "ui/view/scene_view.h"
+#include "ui/view/shown_target.h"
 
 namespace ui {
 
@@ -35,6 +37,8 @@ class SceneArea : public QWidget {
 
   /// The trails of all runs as they are shown; null while they are not, or not in one view.
   const Trails* trails() const;
+  /// Shows a target on the floor, with a landing for each run; nothing: none.
+  void setTarget(const std::optional<ShownTarget>& target);
 
   bool isSplit() const { return m_split; }
   /// In the order of the runs; one for all where they are not split.
@@ -54,12 +58,15 @@ class SceneArea : public QWidget {
  signals:
   /// Another painter draws from now on.
   void painterChanged();
+  /// The user dragged the target.
+  void targetMoved(const core::Target& target);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void distributeRuns();
+  void distributeTarget();
   void setViewCount(std::size_t count);
   void addView();
   void arrange();
@@ -71,6 +78,7 @@ class SceneArea : public QWidget {
   SceneHand* m_hand = nullptr;
   std::vector<SceneView*> m_views;  // never empty; children
   PainterChoice m_choice = PainterChoice::kAutomatic;
+  std::optional<ShownTarget> m_target;
   double m_time = 0;
   bool m_trailsShown = true;
   bool m_split = false;

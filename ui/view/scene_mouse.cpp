@@ -38,6 +38,7 @@ void SceneMouse::release(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton || !m_isPressed) return;
   m_isPressed = false;
   m_view->unsetCursor();
+  m_felt = SceneHand::Touch::kNothing;
   if (m_hand) m_hand->release(m_touch, m_hasMoved);
   showCursor(event.position());
 }
@@ -47,16 +48,15 @@ bool SceneMouse::pressAgain(const QMouseEvent& event) {
   return m_touch == SceneHand::Touch::kNothing;
 }
 
+/// Leaves the cursor alone where there is nothing to tell: others may have set it.
 void SceneMouse::showCursor(QPointF pixel) {
   if (!m_hand) return;
-  switch (m_hand->feel(*m_view, pixel)) {
-    case SceneHand::Touch::kNothing:
-      return m_view->unsetCursor();
-    case SceneHand::Touch::kTouched:
-      return m_view->setCursor(Qt::PointingHandCursor);
-    case SceneHand::Touch::kHeld:
-      return m_view->setCursor(Qt::OpenHandCursor);
-  }
+  const SceneHand::Touch felt = m_hand->feel(*m_view, pixel);
+  if (felt == m_felt) return;
+  m_felt = felt;
+  if (felt == SceneHand::Touch::kNothing) return m_view->unsetCursor();
+  const bool canHold = felt == SceneHand::Touch::kHeld;
+  m_view->setCursor(canHold ? Qt::OpenHandCursor : Qt::PointingHandCursor);
 }
 
 }  // namespace ui

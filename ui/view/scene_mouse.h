@@ -28,6 +28,7 @@ class SceneMouse {
   SceneView* m_view;
   SceneHand* m_hand = nullptr;
   SceneHand::Touch m_touch = SceneHand::Touch::kNothing;
+  SceneHand::Touch m_felt = SceneHand::Touch::kNothing;  // what the cursor tells
   bool m_isPressed = false;
   bool m_hasMoved = false;
   QPointF m_last;  // up to where the view was moved [px]

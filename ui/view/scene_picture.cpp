@@ -132,6 +132,7 @@ QString writeScenePicture(const QString& file, const std::vector<const core::Run
   shown.marks = pictured.marks;
   shown.marks.selection.reset();
   shown.marks.tools.chosen.reset();
+  if (pictured.target) shown.target = *pictured.target;
   const auto picture = [&](double devicePixelRatio) {
     return pictureOf(shown, pictured.trails ? *pictured.trails : Trails(), size, devicePixelRatio);
   };

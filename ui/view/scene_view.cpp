@@ -38,10 +38,11 @@ class SceneView::Content {
 
   void setRuns(std::vector<const core::Run*> runs, std::size_t firstPlace) {
     const QSizeF before = roomSize(m_shown);
-    const SceneMarks marks = std::move(m_shown.marks);
     m_runs = std::move(runs);
-    m_shown = shownScene(m_runs, firstPlace);
-    m_shown.marks = marks;
+    ShownScene next = shownScene(m_runs, firstPlace);
+    next.target.swap(m_shown.target);
+    next.marks = std::move(m_shown.marks);
+    m_shown = std::move(next);
     m_trails.reset(static_cast<int>(m_runs.size()), static_cast<int>(m_shown.colors.size()),
                    trailSpan(m_shown.scene));
     m_trails.record(m_shown.time, m_shown.runs);
@@ -67,6 +68,12 @@ class SceneView::Content {
     const QMarginsF before = margins();
     m_shown.marks = marks;
     if (m_isFitted && margins() != before) fit();
+    repaint();
+  }
+
+  void setTarget(const std::optional<ShownTarget>& target) {
+    if (!target && !m_shown.target) return;
+    m_shown.target = target;
     repaint();
   }
 
@@ -240,6 +247,16 @@ const ShownScene& SceneView::shown() const {
 }
 const SceneLook& SceneView::look() const {
   return m_content->look();
+}
+void SceneView::setTarget(const std::optional<ShownTarget>& target) {
+  m_content->setTarget(target);
+}
+const ShownTarget* SceneView::target() const {
+  const std::optional<ShownTarget>& target = m_content->shown().target;
+  return target ? &*target : nullptr;
+}
+const core::Room& SceneView::room() const {
+  return m_content->shown().scene.room;
 }
 void SceneView::clearTrails() {
   m_content->clearTrails();

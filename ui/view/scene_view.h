@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QString>
@@ -10,7 +11,8 @@
 
 namespace core {
 class Run;
-}
+struct Room;
+}  // namespace core
 
 namespace ui {
 
@@ -22,6 +24,7 @@ struct SceneLook;
 struct SceneMarks;
 struct ShownScene;
 struct ShownStep;
+struct ShownTarget;
 
 /// Which painter draws the scene.
 enum class PainterChoice {
@@ -67,6 +70,12 @@ class SceneView : public QWidget {
   /// What is drawn, and how.
   const ShownScene& shown() const;
   const SceneLook& look() const;
+  /// Shows a target on the floor; nothing: none.
+  void setTarget(const std::optional<ShownTarget>& target);
+  /// Null while none is shown.
+  const ShownTarget* target() const;
+  /// Of the scene that is shown.
+  const core::Room& room() const;
 
   void setPainterChoice(PainterChoice choice);
   /// The part of the room that is seen.

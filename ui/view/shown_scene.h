@@ -11,6 +11,7 @@
 #include "core/scene/scene.h"
 #include "ui/view/scene_marks.h"
 #include "ui/view/shown_step.h"
+#include "ui/view/shown_target.h"
 
 namespace ui {
 
@@ -29,6 +30,7 @@ struct ShownScene {
   std::vector<ShownRun> runs;  ///< the first is drawn filled, the others as outlines
   std::optional<ShownStep> step = std::nullopt;  ///< opened up
   SceneMarks marks = {};
+  std::optional<ShownTarget> target = std::nullopt;
 };
 
 /// The scene of these runs, with their names, each as it stands now.
