@@ -23,10 +23,15 @@ struct Line {
   QString meaning;
 };
 
+/// Alt with each of the arrow keys: one line for all of them.
+bool isWithAlt(const QKeySequence& keys) {
+  return keys[0].keyboardModifiers().testFlag(Qt::AltModifier);
+}
+
 std::vector<Line> keyLines(const Commands& commands) {
   std::vector<Line> lines;
   for (const QAction* action : commands.all()) {
-    if (action->shortcut().isEmpty()) continue;
+    if (action->shortcut().isEmpty() || isWithAlt(action->shortcut())) continue;
     lines.push_back({action->shortcut().toString(QKeySequence::NativeText),
                      action->text().remove('&').remove(QStringLiteral("…"))});
   }
@@ -41,6 +46,8 @@ std::vector<Line> mouseLines() {
           {Words::tr("Shift+drag a weight"), Words::tr("Set the length of its rope")},
           {Words::tr("Drag a weight's arrow"), Words::tr("Set its velocity")},
           {Words::tr("Ctrl while dragging"), Words::tr("Snap")},
+          {Words::tr("Alt+arrows"), Words::tr("Move the selected weight")},
+          {Words::tr("Alt+Shift+arrows"), Words::tr("Change its velocity")},
           {Words::tr("Double click"), Words::tr("Fit the room")},
           {Words::tr("Drag in a chart"), Words::tr("Zoom to a box")},
           {Words::tr("Shift+drag in a chart"), Words::tr("Move what it shows")},
