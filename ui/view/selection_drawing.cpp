@@ -42,7 +42,7 @@ void addRejected(const core::Weight& weight, double radius, const Theme& theme, 
   const Eigen::Vector2d place = core::startPosition(weight);
   if (weight.rope)
     layer.lines.push_back({weight.rope->pivot, place, 2, withOpacity(theme.drift, 0.7)});
-  layer.discs.push_back({place, radius, 0, 2.5, withOpacity(theme.drift, 0.25), theme.drift.rgb()});
+  layer.discs.push_back({place, radius, 3, 2.5, withOpacity(theme.drift, 0.25), theme.drift.rgb()});
 }
 
 /// Where words stand beside a disc.
