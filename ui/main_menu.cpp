@@ -43,6 +43,8 @@ void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
 void MainMenu::addEditMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* edit = bar->addMenu(tr("&Edit"));
   addCommands(edit, commands, {Command::kUndo, Command::kRedo});
+  edit->addSeparator();
+  addCommands(edit, commands, {Command::kWeightsTable});
 }
 
 void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {

@@ -42,6 +42,7 @@
 #include "ui/panels/trade_window.h"
 #include "ui/panels/travel_bar.h"
 #include "ui/panels/weights_form.h"
+#include "ui/panels/weights_table.h"
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
 #include "ui/view/scene_area.h"
@@ -151,12 +152,24 @@ void MainWindow::buildPanels() {
   auto* eventsPanel = new EventsPanel(m_controller, m_events);
   QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
   linkSelection(m_selection, m_editor, {weightsForm, step, m_charts, eventsPanel});
+  auto* table = new WeightsTable(m_editor, m_selection);
+  QDockWidget* tableDock =
+      addPanel(Qt::BottomDockWidgetArea, "weightsTable", tr("Weights table"), table);
+  tabifyDockWidget(opened, tableDock);
   tabifyDockWidget(scene, weights);
   tabifyDockWidget(charts, events);
   // Their tabs are their titles.
   for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
   charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
+  tableDock->setTitleBarWidget(new PanelTitle(tableDock, table->buttons()));
+  const QAction* showTable = m_commands->action(Command::kWeightsTable);
+  connect(showTable, &QAction::triggered, this, [tableDock, table] {
+    tableDock->show();
+    tableDock->raise();
+    table->takeKeyboard();
+  });
+  connect(weightsForm, &WeightsForm::tableWanted, showTable, &QAction::trigger);
   events->setTitleBarWidget(new PanelTitle(events, eventsPanel->filters()));
   scene->raise();
   charts->raise();
@@ -273,6 +286,7 @@ void MainWindow::connectFiles() {
   connect(new UndoCommands(*m_commands, m_editor, this), &UndoCommands::done, this, say);
   connect(m_events, &EventNavigator::nothingFound, this, say);
   connect(findChild<EventsPanel*>(), &EventsPanel::done, this, say);
+  connect(findChild<WeightsTable*>(), &WeightsTable::done, this, say);
   connect(m_exports, &Exports::done, this, say);
   connect(m_editor, &SceneEditor::fileChanged, this, &MainWindow::showTitle);
   connect(m_editor, &SceneEditor::sceneReplaced, this, &MainWindow::showTitle);

@@ -20,6 +20,7 @@ enum class Command {
   kQuit,
   kUndo,
   kRedo,
+  kWeightsTable,
   kPlay,
   kStep,
   kStepBack,
