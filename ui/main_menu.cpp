@@ -28,6 +28,7 @@ MainMenu::MainMenu(QMenuBar* bar, const Commands& commands) : QObject(bar) {
 void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* file = bar->addMenu(tr("&File"));
   addCommands(file, commands, {Command::kNew, Command::kOpen});
+  m_recent = file->addMenu(tr("Open &recent"));
   m_scenes = file->addMenu(tr("&Built-in scenes"));
   m_scenes->setToolTipsVisible(true);
   connect(m_scenes, &QMenu::aboutToShow, this, &MainMenu::listBuiltInScenes);

@@ -17,8 +17,10 @@
 #include "ui/control/event_navigator.h"
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
+#include "ui/control/recent_files.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
+#include "ui/control/scene_drop.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
 #include "ui/control/selection.h"
@@ -46,6 +48,7 @@
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
 #include "ui/view/scene_area.h"
+#include "ui/window_memory.h"
 
 namespace ui {
 namespace {
@@ -106,9 +109,14 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectView();
   startScene();
   showTitle();
+  memory().restore();
 }
 
 MainWindow::~MainWindow() = default;
+
+WindowMemory MainWindow::memory() {
+  return {this, *m_commands, m_controller, m_charts};
+}
 
 void MainWindow::buildCentre() {
   m_problemBar = new MessageBar(tr("Undo the change"));
@@ -278,6 +286,8 @@ void MainWindow::connectFiles() {
   on(Command::kMeasure, this, &MainWindow::showTrade);
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
+  new RecentFiles(m_files, m_menu->recentFiles());
+  new SceneDrop(m_files, this);
   connect(m_menu, &MainMenu::builtInChosen, m_files, &SceneFiles::openBuiltIn);
   connect(m_menu, &MainMenu::ledgerChosen, m_exports, &Exports::askAndSaveLedger);
 
@@ -353,7 +363,7 @@ void MainWindow::showTrade() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(m_files->mayLeaveScene());
-  if (event->isAccepted()) Settings().setPanels(saveState());
+  if (event->isAccepted()) memory().save();
 }
 
 }  // namespace ui

@@ -25,6 +25,7 @@ class SceneEditor;
 class SceneFiles;
 class Selection;
 class TradeWindow;
+class WindowMemory;
 
 /// The window: the scene in the middle, forms at its side, charts below. Puts the
 /// parts together and passes on what they say; each part does its own work.
@@ -52,6 +53,7 @@ class MainWindow : public QMainWindow {
   void showEvent(QShowEvent* event) override;
 
  private:
+  WindowMemory memory();
   void buildCentre();
   void buildPanels();
   QDockWidget* addPanel(Qt::DockWidgetArea area, const QString& name, const QString& title,

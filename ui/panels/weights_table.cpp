@@ -152,7 +152,9 @@ void WeightsTable::fitToFont() {
   const int number = fontMetrics().horizontalAdvance(QStringLiteral("−00.0000"));
   for (int column = 0; column < kWeightColumnCount; ++column) {
     const int name = m_view->horizontalHeader()->sectionSizeHint(column);
-    m_view->setColumnWidth(column, std::max(name, number + kColumnMargin));
+    const bool isColor = column == static_cast<int>(WeightColumn::kColor);
+    const int mark = isColor ? 2 * fontMetrics().height() : 0;
+    m_view->setColumnWidth(column, std::max(name, number + mark + kColumnMargin));
   }
 }
 
