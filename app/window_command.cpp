@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QStatusBar>
 
+#include "ui/control/draft_keeper.h"
 #include "ui/control/first_scene.h"
 #include "ui/control/translations.h"
 #include "ui/main_window.h"
@@ -27,6 +28,7 @@ ExitStatus runWindow(const WindowCall& call) {
   const ui::FirstScene first = ui::firstScene(call.scene);
   if (!first.scene) return failure(kRefused, call.scene + QStringLiteral(": ") + first.message);
   ui::MainWindow window(*first.scene, first.file);
+  window.keepDraftsIn(ui::draftFolder());
   window.show();
   window.statusBar()->showMessage(first.message);
   return QApplication::exec() == 0 ? kSuccess : kFailed;

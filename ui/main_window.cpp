@@ -14,10 +14,13 @@
 #include <QVBoxLayout>
 
 #include "ui/control/commands.h"
+#include "ui/control/draft_keeper.h"
 #include "ui/control/event_navigator.h"
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
+#include "ui/control/problem_words.h"
 #include "ui/control/recent_files.h"
+#include "ui/control/recovery.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
 #include "ui/control/scene_drop.h"
@@ -35,7 +38,6 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/panel_title.h"
 #include "ui/panels/playback_bar.h"
-#include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
 #include "ui/panels/selection_links.h"
@@ -118,13 +120,27 @@ WindowMemory MainWindow::memory() {
   return {this, *m_commands, m_controller, m_charts};
 }
 
+void MainWindow::keepDraftsIn(const QString& folder) {
+  m_drafts = new DraftKeeper(m_editor, folder, DraftKeeper::kUsualDelay, this);
+  auto* recovery = new Recovery(m_editor, m_files, m_drafts, folder, this);
+  connect(m_drafts, &DraftKeeper::failed, this, [this](const QString& reason) {
+    statusBar()->showMessage(tr("Unsaved changes cannot be kept for a crash: %1").arg(reason));
+  });
+  connect(recovery, &Recovery::offered, m_recoveryBar, &MessageBar::say);
+  connect(m_recoveryBar, &MessageBar::accepted, recovery, &Recovery::bringBack);
+  connect(m_recoveryBar, &MessageBar::otherAccepted, recovery, &Recovery::discard);
+  recovery->start();
+}
+
 void MainWindow::buildCentre() {
+  m_recoveryBar = new MessageBar(tr("Bring them back"), tr("Discard"));
   m_problemBar = new MessageBar(tr("Undo the change"));
   m_stopBar = new MessageBar;
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  layout->addWidget(m_recoveryBar);
   layout->addWidget(m_problemBar);
   layout->addWidget(m_stopBar);
   layout->addWidget(m_view, 1);
@@ -363,7 +379,9 @@ void MainWindow::showTrade() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(m_files->mayLeaveScene());
-  if (event->isAccepted()) memory().save();
+  if (!event->isAccepted()) return;
+  memory().save();
+  if (m_drafts) m_drafts->letGo();
 }
 
 }  // namespace ui

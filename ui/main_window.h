@@ -13,6 +13,7 @@ namespace ui {
 class Appearance;
 class ChartsPanel;
 class Commands;
+class DraftKeeper;
 class EventNavigator;
 class Exports;
 class FrameTicker;
@@ -39,6 +40,9 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const core::Scene& scene, const QString& file = {},
                       QWidget* parent = nullptr);
   ~MainWindow() override;
+
+  /// Keeps what is not saved in this folder from now on, and offers what others have left there.
+  void keepDraftsIn(const QString& folder);
 
   RunController* controller() const { return m_controller; }
   SceneEditor* editor() const { return m_editor; }
@@ -89,11 +93,13 @@ class MainWindow : public QMainWindow {
   SceneArea* m_view;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
+  MessageBar* m_recoveryBar;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
-  TradeWindow* m_trade = nullptr;  // made when it is wanted first
-  bool m_panelsSized = false;      // once: from then on the user decides
+  DraftKeeper* m_drafts = nullptr;  // none: nothing is kept
+  TradeWindow* m_trade = nullptr;   // made when it is wanted first
+  bool m_panelsSized = false;       // once: from then on the user decides
 };
 
 }  // namespace ui

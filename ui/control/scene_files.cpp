@@ -11,10 +11,10 @@
 #include "core/scene/arrangement.h"
 #include "ui/control/file_dialog.h"
 #include "ui/control/first_scene.h"
+#include "ui/control/problem_words.h"
 #include "ui/control/recent_files.h"
 #include "ui/control/scene_editor.h"
 #include "ui/files/scene_file.h"
-#include "ui/panels/problem_words.h"
 
 namespace ui {
 namespace {
