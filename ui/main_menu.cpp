@@ -1,7 +1,9 @@
 #include "ui/main_menu.h"
 
 #include <QActionGroup>
+#include <QHBoxLayout>
 #include <QMenuBar>
+#include <QToolButton>
 
 #include "ui/control/commands.h"
 #include "ui/files/scene_file.h"
@@ -23,11 +25,29 @@ MainMenu::MainMenu(QMenuBar* bar, const Commands& commands) : QObject(bar) {
   addViewMenu(bar, commands);
   addChartMenu(bar, commands);
   addHelpMenu(bar, commands);
+  addButtons(bar, commands);
+}
+
+/// At the right end of the menu bar: what begins a lesson, and what shows it large.
+void MainMenu::addButtons(QMenuBar* bar, const Commands& commands) {
+  auto* corner = new QWidget;
+  auto* layout = new QHBoxLayout(corner);
+  layout->setContentsMargins(0, 0, 8, 0);
+  layout->setSpacing(4);
+  for (const Command command : {Command::kLessons, Command::kPresent}) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(commands.action(command));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    layout->addWidget(button);
+  }
+  bar->setCornerWidget(corner);
 }
 
 void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* file = bar->addMenu(tr("&File"));
-  addCommands(file, commands, {Command::kNew, Command::kOpen});
+  addCommands(file, commands, {Command::kNew, Command::kOpen, Command::kLessons});
   m_recent = file->addMenu(tr("Open &recent"));
   m_scenes = file->addMenu(tr("&Built-in scenes"));
   m_scenes->setToolTipsVisible(true);
@@ -59,7 +79,7 @@ void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {
   run->addSeparator();
   addCommands(run, commands, {Command::kSlower, Command::kFaster});
   run->addSeparator();
-  addCommands(run, commands, {Command::kMeasure});
+  addCommands(run, commands, {Command::kWhenToCut, Command::kMeasure});
 }
 
 void MainMenu::addGoToMenu(QMenu* menu, const Commands& commands) {
@@ -77,9 +97,9 @@ void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {
   m_view = bar->addMenu(tr("&View"));
   m_panels = m_view->addMenu(tr("&Panels"));
   m_view->addSeparator();
-  addCommands(
-      m_view, commands,
-      {Command::kSplit, Command::kTrails, Command::kFit, Command::kZoomIn, Command::kZoomOut});
+  addCommands(m_view, commands,
+              {Command::kSplit, Command::kTrails, Command::kTarget, Command::kLessonText,
+               Command::kFit, Command::kZoomIn, Command::kZoomOut, Command::kPresent});
   m_view->addSeparator();
 }
 

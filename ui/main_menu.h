@@ -43,6 +43,7 @@ class MainMenu : public QObject {
   void addViewMenu(QMenuBar* bar, const Commands& commands);
   void addChartMenu(QMenuBar* bar, const Commands& commands);
   void addHelpMenu(QMenuBar* bar, const Commands& commands);
+  static void addButtons(QMenuBar* bar, const Commands& commands);
   void listBuiltInScenes();
 
   QMenu* m_scenes;

@@ -18,6 +18,7 @@
 #include "ui/control/event_navigator.h"
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
+#include "ui/control/lesson_guide.h"
 #include "ui/control/problem_words.h"
 #include "ui/control/recent_files.h"
 #include "ui/control/recovery.h"
@@ -26,15 +27,19 @@
 #include "ui/control/scene_drop.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
+#include "ui/control/scene_target.h"
 #include "ui/control/selection.h"
 #include "ui/control/settings.h"
+#include "ui/control/target_control.h"
 #include "ui/control/time_commands.h"
 #include "ui/control/undo_commands.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
 #include "ui/panels/comparison_panel.h"
+#include "ui/panels/cut_window.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/help_dialogs.h"
+#include "ui/panels/lesson_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/panel_title.h"
 #include "ui/panels/playback_bar.h"
@@ -109,6 +114,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectScene();
   connectFiles();
   connectView();
+  connectTarget();
   startScene();
   showTitle();
   memory().restore();
@@ -152,6 +158,10 @@ void MainWindow::buildCentre() {
 void MainWindow::buildPanels() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
+  auto* lessonPanel = new LessonPanel(*m_commands);
+  QDockWidget* lesson =
+      addPanel(Qt::LeftDockWidgetArea, "lesson", tr("Lesson"), scrolling(lessonPanel));
+  m_lessons = new LessonGuide(*m_commands, m_editor, m_files, lessonPanel, lesson, this);
   QDockWidget* scene =
       addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
   auto* weightsForm = new WeightsForm(m_editor);
@@ -180,10 +190,11 @@ void MainWindow::buildPanels() {
   QDockWidget* tableDock =
       addPanel(Qt::BottomDockWidgetArea, "weightsTable", tr("Weights table"), table);
   tabifyDockWidget(opened, tableDock);
+  tabifyDockWidget(lesson, scene);
   tabifyDockWidget(scene, weights);
   tabifyDockWidget(charts, events);
   // Their tabs are their titles.
-  for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
+  for (QDockWidget* dock : {lesson, scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
   charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
   tableDock->setTitleBarWidget(new PanelTitle(tableDock, table->buttons()));
@@ -211,8 +222,10 @@ void MainWindow::sizePanels() {
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (!event->spontaneous() && !m_panelsSized) sizePanels();
+  if (event->spontaneous() || m_panelsSized) return;
   m_panelsSized = true;
+  sizePanels();
+  m_lessons->begin();
 }
 
 QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,
@@ -331,6 +344,15 @@ void MainWindow::connectView() {
   showPainter();
 }
 
+void MainWindow::connectTarget() {
+  m_target = new TargetControl(*m_commands, m_controller, m_editor, m_view, this);
+  m_exports->setTarget([this] { return m_target->shown(); });
+  // None selected: the one before stays.
+  connect(m_selection, &Selection::weightSelected, m_target->target(), &SceneTarget::setWeight);
+  connect(m_commands->action(Command::kWhenToCut), &QAction::triggered, this,
+          &MainWindow::showWhenToCut);
+}
+
 void MainWindow::startScene() {
   m_controller->setScene(m_editor->scene());
   QStringList names;
@@ -375,6 +397,14 @@ void MainWindow::changeSpeed(int steps) {
 void MainWindow::showTrade() {
   if (!m_trade) m_trade = new TradeWindow(m_editor, this);
   m_trade->bringUp();
+}
+
+void MainWindow::showWhenToCut() {
+  if (!m_whenToCut) {
+    m_whenToCut = new CutWindow(m_editor, m_target->target(), this);
+    connect(m_whenToCut, &CutWindow::momentPicked, m_controller, &RunController::reset);
+  }
+  m_whenToCut->bringUp();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -13,10 +13,12 @@ namespace ui {
 class Appearance;
 class ChartsPanel;
 class Commands;
+class CutWindow;
 class DraftKeeper;
 class EventNavigator;
 class Exports;
 class FrameTicker;
+class LessonGuide;
 class MainMenu;
 class MessageBar;
 class PlaybackBar;
@@ -25,6 +27,7 @@ class SceneArea;
 class SceneEditor;
 class SceneFiles;
 class Selection;
+class TargetControl;
 class TradeWindow;
 class WindowMemory;
 
@@ -51,6 +54,7 @@ class MainWindow : public QMainWindow {
   Exports* exports() const { return m_exports; }
   const Commands& commands() const { return *m_commands; }
   ChartsPanel* charts() const { return m_charts; }
+  TargetControl* target() const { return m_target; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -69,6 +73,7 @@ class MainWindow : public QMainWindow {
   void connectScene();
   void connectFiles();
   void connectView();
+  void connectTarget();
 
   void startScene();
   void showTime(double time);
@@ -78,6 +83,7 @@ class MainWindow : public QMainWindow {
   void showPainter();
   void changeSpeed(int steps);
   void showTrade();
+  void showWhenToCut();
 
   Appearance* m_appearance;
   SceneEditor* m_editor;
@@ -91,15 +97,18 @@ class MainWindow : public QMainWindow {
 
   MainMenu* m_menu;
   SceneArea* m_view;
+  TargetControl* m_target;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
+  LessonGuide* m_lessons;
   MessageBar* m_recoveryBar;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
-  DraftKeeper* m_drafts = nullptr;  // none: nothing is kept
-  TradeWindow* m_trade = nullptr;   // made when it is wanted first
-  bool m_panelsSized = false;       // once: from then on the user decides
+  DraftKeeper* m_drafts = nullptr;   // none: nothing is kept
+  TradeWindow* m_trade = nullptr;    // made when it is wanted first
+  CutWindow* m_whenToCut = nullptr;  // likewise
+  bool m_panelsSized = false;        // once: from then on the user decides
 };
 
 }  // namespace ui

@@ -23,6 +23,10 @@ constexpr Look kLooks[] = {
      QT_TRANSLATE_NOOP("ui::Commands", "Start with one weight in an empty room"), "new", "Ctrl+N"},
     {Command::kOpen, QT_TRANSLATE_NOOP("ui::Commands", "&Open…"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Open a scene file"), "open", "Ctrl+O"},
+    {Command::kLessons, QT_TRANSLATE_NOOP("ui::Commands", "&Lessons…"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Lessons"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Choose one of the built-in scenes by its picture"),
+     "lessons", "Ctrl+L"},
     {Command::kSave, QT_TRANSLATE_NOOP("ui::Commands", "&Save"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Save the scene"), "save", "Ctrl+S"},
     {Command::kSaveAs, QT_TRANSLATE_NOOP("ui::Commands", "Save &as…"), "",
@@ -104,13 +108,28 @@ constexpr Look kLooks[] = {
     {Command::kMeasure, QT_TRANSLATE_NOOP("ui::Commands", "Speed and &accuracy…"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Measure what accuracy costs, and how large steps may be"),
      "accuracy", "Ctrl+M"},
+    {Command::kWhenToCut, QT_TRANSLATE_NOOP("ui::Commands", "&When to cut?…"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Find the moments to cut at that hit the target"),
+     "when-to-cut", "W"},
     {Command::kTrails, QT_TRANSLATE_NOOP("ui::Commands", "&Trails"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show where the weights have just been"), "trails", "T"},
+    {Command::kTarget, QT_TRANSLATE_NOOP("ui::Commands", "Tar&get"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show a target on the floor; drag it to where it shall be"),
+     "target", "G"},
+    {Command::kLessonText, QT_TRANSLATE_NOOP("ui::Commands", "&Lesson text"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Lesson"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Show what to look for and what to try, or hide it"),
+     "lesson", "L"},
     {Command::kFit, QT_TRANSLATE_NOOP("ui::Commands", "&Fit the room"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show the whole room"), "fit", "F"},
     {Command::kZoomIn, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &in"), "", "", "zoom-in", "Ctrl++"},
     {Command::kZoomOut, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &out"), "", "", "zoom-out",
      "Ctrl+-"},
+    {Command::kPresent, QT_TRANSLATE_NOOP("ui::Commands", "&Present"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Present"),
+     QT_TRANSLATE_NOOP("ui::Commands",
+                       "Fill the screen with the scene and one chart, in large type"),
+     "present", "F11"},
     {Command::kNextChart, QT_TRANSLATE_NOOP("ui::Commands", "&Next chart"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show the next kind of chart"), "", "Ctrl+PgDown"},
     {Command::kPreviousChart, QT_TRANSLATE_NOOP("ui::Commands", "&Previous chart"), "",
@@ -147,6 +166,9 @@ Commands::Commands(QObject* parent) : QObject(parent) {
   }
   action(Command::kSplit)->setCheckable(true);
   action(Command::kTrails)->setCheckable(true);
+  action(Command::kTarget)->setCheckable(true);
+  action(Command::kLessonText)->setCheckable(true);
+  action(Command::kPresent)->setCheckable(true);
   action(Command::kTrails)->setChecked(true);
   action(Command::kZoomIn)->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});
   action(Command::kRedo)->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});

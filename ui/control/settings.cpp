@@ -12,6 +12,7 @@ const QString kPainterKey = QStringLiteral("painter");
 const QString kThemeKey = QStringLiteral("theme");
 const QString kChartSizeKey = QStringLiteral("chartSize");
 const QString kPanelsKey = QStringLiteral("panels");
+const QString kHiddenLessonKey = QStringLiteral("hiddenLesson");
 const QString kGeometryKey = QStringLiteral("geometry");
 const QString kSpeedKey = QStringLiteral("speed");
 const QString kChartKindKey = QStringLiteral("chartKind");
@@ -120,6 +121,14 @@ QString Settings::lastScene() const {
 
 void Settings::setLastScene(const QString& fileOrName) {
   m_store.setValue(kLastSceneKey, fileOrName);
+}
+
+QString Settings::hiddenLesson() const {
+  return m_store.value(kHiddenLessonKey).toString();
+}
+
+void Settings::setHiddenLesson(const QString& name) {
+  m_store.setValue(kHiddenLessonKey, name);
 }
 
 }  // namespace ui

@@ -56,6 +56,10 @@ class Settings {
   QString lastScene() const;
   void setLastScene(const QString& fileOrName);
 
+  /// The lesson whose text was put away; another one shows its own.
+  QString hiddenLesson() const;
+  void setHiddenLesson(const QString& name);
+
  private:
   QSettings m_store;
 };
