@@ -40,6 +40,8 @@ void WindowMemory::chooseChart(const QString& id) const {
 }
 
 void WindowMemory::save() const {
+  // A presentation is not how a window is left.
+  m_commands.action(Command::kPresent)->setChecked(false);
   Settings settings;
   settings.setGeometry(m_window->saveGeometry());
   settings.setPanels(m_window->saveState());
