@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScreen>
@@ -11,6 +12,7 @@
 #include <QScrollBar>
 #include <QShowEvent>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "ui/control/commands.h"
@@ -20,6 +22,7 @@
 #include "ui/control/lesson_guide.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
+#include "ui/control/scene_commands.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
 #include "ui/control/scene_target.h"
@@ -41,6 +44,7 @@
 #include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/scene_toolbar.h"
 #include "ui/panels/selection_links.h"
 #include "ui/panels/step_panel.h"
 #include "ui/panels/timeline.h"
@@ -124,7 +128,10 @@ void MainWindow::buildCentre() {
   layout->setSpacing(0);
   layout->addWidget(m_problemBar);
   layout->addWidget(m_stopBar);
-  layout->addWidget(m_view, 1);
+  auto* bench = new QHBoxLayout;
+  bench->addWidget(sceneToolbar(*m_commands));
+  bench->addWidget(m_view, 1);
+  layout->addLayout(bench, 1);
   layout->addWidget(new Timeline(m_controller, m_events));
   layout->addWidget(m_playback);
   setCentralWidget(centre);
@@ -310,13 +317,19 @@ void MainWindow::connectView() {
   connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneArea::zoomOut);
   connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
   connect(m_view, &SceneArea::trailsChanged, this, &MainWindow::showPainter);
+  m_hand = new SceneCommands(*m_commands, {m_editor, m_selection, m_controller, m_view}, this);
+  m_exports->setPictured([this] {
+    return PicturedMarks{m_hand->marks(), m_view->trails(), m_target->shown()};
+  });
+  connect(m_hand, &SceneCommands::draggingChanged, this, &MainWindow::showProblems);
+  connect(m_hand, &SceneCommands::said, statusBar(),
+          [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); });
   m_view->setPainterChoice(Settings().painter());
   showPainter();
 }
 
 void MainWindow::connectTarget() {
   m_target = new TargetControl(*m_commands, m_controller, m_editor, m_view, this);
-  m_exports->setTarget([this] { return m_target->shown(); });
   // None selected: the one before stays.
   connect(m_selection, &Selection::weightSelected, m_target->target(), &SceneTarget::setWeight);
   connect(m_commands->action(Command::kWhenToCut), &QAction::triggered, this,
@@ -345,6 +358,7 @@ void MainWindow::showStopped() {
 }
 
 void MainWindow::showProblems() {
+  if (m_hand->isDragging()) return;
   const auto& problems = m_editor->problems();
   m_problemBar->say(problems.empty() ? QString()
                                      : tr("Not applied: %1").arg(problemWords(problems)));

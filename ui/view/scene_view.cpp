@@ -12,6 +12,7 @@
 #include "ui/view/scene_canvas.h"
 #include "ui/view/scene_drawing.h"
 #include "ui/view/scene_look.h"
+#include "ui/view/scene_mouse.h"
 #include "ui/view/shown_scene.h"
 #include "ui/view/trails.h"
 
@@ -40,6 +41,7 @@ class SceneView::Content {
     m_runs = std::move(runs);
     ShownScene next = shownScene(m_runs, firstPlace);
     next.target.swap(m_shown.target);
+    next.marks = std::move(m_shown.marks);
     m_shown = std::move(next);
     m_trails.reset(static_cast<int>(m_runs.size()), static_cast<int>(m_shown.colors.size()),
                    trailSpan(m_shown.scene));
@@ -62,6 +64,13 @@ class SceneView::Content {
     repaint();
   }
 
+  void setMarks(const SceneMarks& marks) {
+    const QMarginsF before = margins();
+    m_shown.marks = marks;
+    if (m_isFitted && margins() != before) fit();
+    repaint();
+  }
+
   void setTarget(const std::optional<ShownTarget>& target) {
     if (!target && !m_shown.target) return;
     m_shown.target = target;
@@ -69,6 +78,7 @@ class SceneView::Content {
   }
 
   const ShownScene& shown() const { return m_shown; }
+  const SceneLook& look() const { return m_look; }
 
   void clearTrails() {
     m_trails.clear();
@@ -108,7 +118,7 @@ class SceneView::Content {
   void fit() {
     m_isFitted = true;
     placeCamera();
-    m_camera.fit(roomSize(m_shown), sceneMargins(m_shown, m_look, m_view->width()));
+    m_camera.fit(roomSize(m_shown), margins());
     repaint();
   }
 
@@ -134,22 +144,10 @@ class SceneView::Content {
     showMoved();
   }
 
-  void startPan(QPointF pixel) {
-    m_panFrom = pixel;
-    m_view->setCursor(Qt::ClosedHandCursor);
-  }
-
-  void pan(QPointF pixel) {
-    if (!m_panFrom) return;
+  void panBy(QPointF pixels) {
     m_isFitted = false;
-    m_camera.panBy(pixel - *m_panFrom);
-    m_panFrom = pixel;
+    m_camera.panBy(pixels);
     showMoved();
-  }
-
-  void endPan() {
-    m_panFrom.reset();
-    m_view->unsetCursor();
   }
 
   void readLook() {
@@ -160,6 +158,8 @@ class SceneView::Content {
 
  private:
   void repaint() { m_canvas->update(); }
+
+  QMarginsF margins() const { return sceneMargins(m_shown, m_look, m_view->width()); }
 
   void showMoved() {
     repaint();
@@ -221,11 +221,14 @@ class SceneView::Content {
   SceneLook m_look;
   Camera m_camera;
   bool m_isFitted = true;
-  std::optional<QPointF> m_panFrom;
 };
 
 SceneView::SceneView(QWidget* parent)
-    : QWidget(parent), m_content(std::make_unique<Content>(this)) {
+    : QWidget(parent),
+      m_content(std::make_unique<Content>(this)),
+      m_mouse(std::make_unique<SceneMouse>(this)) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::ClickFocus);
   setMinimumSize(240, 180);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Scene"));
@@ -241,6 +244,18 @@ void SceneView::showTime(double time) {
 }
 void SceneView::showStep(const ShownStep* step) {
   m_content->showStep(step);
+}
+void SceneView::setMarks(const SceneMarks& marks) {
+  m_content->setMarks(marks);
+}
+void SceneView::setHand(SceneHand* hand) {
+  m_mouse->setHand(hand);
+}
+const ShownScene& SceneView::shown() const {
+  return m_content->shown();
+}
+const SceneLook& SceneView::look() const {
+  return m_content->look();
 }
 void SceneView::setTarget(const std::optional<ShownTarget>& target) {
   m_content->setTarget(target);
@@ -284,6 +299,10 @@ void SceneView::fitRoom() {
   emit cameraMoved();
 }
 
+void SceneView::panBy(QPointF pixels) {
+  m_content->panBy(pixels);
+}
+
 void SceneView::zoomIn() {
   m_content->zoomAt(QRectF(rect()).center(), std::pow(kZoomPerNotch, 2));
 }
@@ -310,19 +329,19 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) m_content->startPan(event->position());
+  m_mouse->press(*event);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  m_content->pan(event->position());
+  m_mouse->move(*event);
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) m_content->endPan();
+  m_mouse->release(*event);
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) fitRoom();
+  if (event->button() == Qt::LeftButton && m_mouse->pressAgain(*event)) fitRoom();
 }
 
 }  // namespace ui

@@ -225,7 +225,8 @@ void paintOn(const Canvas& canvas, const Shape& shape) {
       if (isPoint) return paintDisc(shape, canvas);
       return Stroke<ShapeEnds::kRound>(shape).paint(canvas);
     case ShapeEnds::kFlat:
-      if (shape.from[1] == shape.to[1]) return paintUpright(shape, canvas);
+      if (shape.from[1] == shape.to[1] && shape.fromHalfWidth == shape.toHalfWidth)
+        return paintUpright(shape, canvas);
       return Stroke<ShapeEnds::kFlat>(shape).paint(canvas);
   }
 }

@@ -1,6 +1,7 @@
 #include "ui/view/weight_drawing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/view/camera.h"
 #include "ui/view/hanging_rope.h"
@@ -41,8 +42,10 @@ bool hangsOnRope(const core::WeightState& weight) {
 void addRope(const core::Rope& rope, const core::WeightState& weight, const RunStyle& style,
              Layer& layer) {
   if (weight.phase == core::Phase::kSlack) {
-    layer.polylines.push_back({hangingRope(rope.pivot, weight.position, rope.length),
-                               style.ropeWidth, style.rope, /*fading=*/false});
+    std::vector<Eigen::Vector2d> points = hangingRope(rope.pivot, weight.position, rope.length);
+    // What would hang through the floor lies on it.
+    for (Eigen::Vector2d& point : points) point.y() = std::max(point.y(), 0.0);
+    layer.polylines.push_back({std::move(points), style.ropeWidth, style.rope, /*fading=*/false});
     return;
   }
   const double width = rope.rigid ? 2 * style.ropeWidth : style.ropeWidth;

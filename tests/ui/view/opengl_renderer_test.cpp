@@ -66,7 +66,7 @@ void OpenGlRendererTest::looksLikeTheOtherPainter() {
   QFETCH(double, ratio);
   QFETCH(double, zoom);
   ui::Trails trails;
-  const ui::ShownScene shown = example::everything(trails);
+  const ui::ShownScene shown = example::marked(example::everything(trails));
   ui::Camera camera = example::camera(shown, {800, 600}, ratio);
   camera.zoomAt(camera.toPixels({0.6, 1.1}), zoom);
   ui::Drawing drawing = ui::sceneDrawing(shown, trails, camera, example::look(dark));
