@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScreen>
@@ -11,37 +12,54 @@
 #include <QScrollBar>
 #include <QShowEvent>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "ui/control/commands.h"
+#include "ui/control/draft_keeper.h"
 #include "ui/control/event_navigator.h"
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
+#include "ui/control/lesson_guide.h"
+#include "ui/control/problem_words.h"
+#include "ui/control/recent_files.h"
+#include "ui/control/recovery.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
+#include "ui/control/scene_commands.h"
+#include "ui/control/scene_drop.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
+#include "ui/control/scene_target.h"
+#include "ui/control/selection.h"
 #include "ui/control/settings.h"
+#include "ui/control/target_control.h"
 #include "ui/control/time_commands.h"
+#include "ui/control/undo_commands.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
 #include "ui/panels/comparison_panel.h"
+#include "ui/panels/cut_window.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/help_dialogs.h"
+#include "ui/panels/lesson_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/panel_title.h"
 #include "ui/panels/playback_bar.h"
-#include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/scene_toolbar.h"
+#include "ui/panels/selection_links.h"
 #include "ui/panels/step_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/panels/trade_window.h"
 #include "ui/panels/travel_bar.h"
 #include "ui/panels/weights_form.h"
+#include "ui/panels/weights_table.h"
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
 #include "ui/view/scene_area.h"
+#include "ui/window_memory.h"
 
 namespace ui {
 namespace {
@@ -74,6 +92,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
     : QMainWindow(parent),
       m_appearance(new Appearance(this)),
       m_editor(new SceneEditor(scene, this)),
+      m_selection(new Selection(m_editor, this)),
       m_controller(new RunController(this)),
       m_events(new EventNavigator(m_controller, this)),
       m_ticker(new FrameTicker(this)),
@@ -99,22 +118,45 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectScene();
   connectFiles();
   connectView();
+  connectTarget();
   startScene();
   showTitle();
+  memory().restore();
 }
 
 MainWindow::~MainWindow() = default;
 
+WindowMemory MainWindow::memory() {
+  return {this, *m_commands, m_controller, m_charts};
+}
+
+void MainWindow::keepDraftsIn(const QString& folder) {
+  m_drafts = new DraftKeeper(m_editor, folder, DraftKeeper::kUsualDelay, this);
+  auto* recovery = new Recovery(m_editor, m_files, m_drafts, folder, this);
+  connect(m_drafts, &DraftKeeper::failed, this, [this](const QString& reason) {
+    statusBar()->showMessage(tr("Unsaved changes cannot be kept for a crash: %1").arg(reason));
+  });
+  connect(recovery, &Recovery::offered, m_recoveryBar, &MessageBar::say);
+  connect(m_recoveryBar, &MessageBar::accepted, recovery, &Recovery::bringBack);
+  connect(m_recoveryBar, &MessageBar::otherAccepted, recovery, &Recovery::discard);
+  recovery->start();
+}
+
 void MainWindow::buildCentre() {
+  m_recoveryBar = new MessageBar(tr("Bring them back"), tr("Discard"));
   m_problemBar = new MessageBar(tr("Undo the change"));
   m_stopBar = new MessageBar;
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  layout->addWidget(m_recoveryBar);
   layout->addWidget(m_problemBar);
   layout->addWidget(m_stopBar);
-  layout->addWidget(m_view, 1);
+  auto* bench = new QHBoxLayout;
+  bench->addWidget(sceneToolbar(*m_commands));
+  bench->addWidget(m_view, 1);
+  layout->addLayout(bench, 1);
   layout->addWidget(new Timeline(m_controller, m_events));
   layout->addWidget(m_playback);
   setCentralWidget(centre);
@@ -123,6 +165,10 @@ void MainWindow::buildCentre() {
 void MainWindow::buildPanels() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
+  auto* lessonPanel = new LessonPanel(*m_commands);
+  QDockWidget* lesson =
+      addPanel(Qt::LeftDockWidgetArea, "lesson", tr("Lesson"), scrolling(lessonPanel));
+  m_lessons = new LessonGuide(*m_commands, m_editor, m_files, lessonPanel, lesson, this);
   QDockWidget* scene =
       addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
   auto* weightsForm = new WeightsForm(m_editor);
@@ -144,16 +190,28 @@ void MainWindow::buildPanels() {
   tabifyDockWidget(compared, opened);
   connect(opened, &QDockWidget::visibilityChanged, step, &StepPanel::setSeen);
   connect(step, &StepPanel::stepOpened, m_view, &SceneArea::showStep);
-  connect(step, &StepPanel::weightChosen, weightsForm, &WeightsForm::choose);
-  connect(weightsForm, &WeightsForm::weightChosen, step, &StepPanel::chooseWeight);
   auto* eventsPanel = new EventsPanel(m_controller, m_events);
   QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
+  linkSelection(m_selection, m_editor, {weightsForm, step, m_charts, eventsPanel});
+  auto* table = new WeightsTable(m_editor, m_selection);
+  QDockWidget* tableDock =
+      addPanel(Qt::BottomDockWidgetArea, "weightsTable", tr("Weights table"), table);
+  tabifyDockWidget(opened, tableDock);
+  tabifyDockWidget(lesson, scene);
   tabifyDockWidget(scene, weights);
   tabifyDockWidget(charts, events);
   // Their tabs are their titles.
-  for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
+  for (QDockWidget* dock : {lesson, scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
   charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
+  tableDock->setTitleBarWidget(new PanelTitle(tableDock, table->buttons()));
+  const QAction* showTable = m_commands->action(Command::kWeightsTable);
+  connect(showTable, &QAction::triggered, this, [tableDock, table] {
+    tableDock->show();
+    tableDock->raise();
+    table->takeKeyboard();
+  });
+  connect(weightsForm, &WeightsForm::tableWanted, showTable, &QAction::trigger);
   events->setTitleBarWidget(new PanelTitle(events, eventsPanel->filters()));
   scene->raise();
   charts->raise();
@@ -171,8 +229,10 @@ void MainWindow::sizePanels() {
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (!event->spontaneous() && !m_panelsSized) sizePanels();
+  if (event->spontaneous() || m_panelsSized) return;
   m_panelsSized = true;
+  sizePanels();
+  m_lessons->begin();
 }
 
 QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,
@@ -181,6 +241,12 @@ QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,
   dock->setObjectName(name);
   dock->setWidget(content);
   addDockWidget(area, dock);
+  // Qt leaves panels that stand behind another tab visible, out of sight: hidden they need not
+  // compute what they show, which saves a few ms in every frame of 10,000 weights.
+  QSizePolicy policy = content->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  content->setSizePolicy(policy);
+  connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
   return dock;
 }
 
@@ -204,6 +270,7 @@ void MainWindow::buildMenus() {
 
 void MainWindow::buildStatusBar() {
   m_painterLabel = new QLabel;
+  m_painterLabel->setObjectName("painter");
   m_painterLabel->setContentsMargins(0, 0, 8, 0);
   statusBar()->addPermanentWidget(new TravelBar(m_controller));
   statusBar()->addPermanentWidget(m_painterLabel);
@@ -228,6 +295,8 @@ void MainWindow::connectPlayback() {
   connect(m_controller, &RunController::playingChanged, m_commands, &Commands::showPlaying);
   connect(m_controller, &RunController::speedChanged, m_playback, &PlaybackBar::showSpeed);
   connect(m_controller, &RunController::timeShown, this, &MainWindow::showTime);
+  connect(m_controller, &RunController::framePassed, this,
+          [this] { m_playback->showKeptShare(m_controller->keptShare()); });
   connect(m_controller, &RunController::runStatusChanged, this, &MainWindow::showStopped);
   connect(m_controller, &RunController::canCutChanged, m_commands->action(Command::kCut),
           &QAction::setEnabled);
@@ -262,15 +331,20 @@ void MainWindow::connectFiles() {
   on(Command::kMeasure, this, &MainWindow::showTrade);
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
+  new RecentFiles(m_files, m_menu->recentFiles());
+  new SceneDrop(m_files, this);
   connect(m_menu, &MainMenu::builtInChosen, m_files, &SceneFiles::openBuiltIn);
   connect(m_menu, &MainMenu::ledgerChosen, m_exports, &Exports::askAndSaveLedger);
 
   const auto say = [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); };
   connect(m_files, &SceneFiles::done, this, say);
+  connect(new UndoCommands(*m_commands, m_editor, this), &UndoCommands::done, this, say);
   connect(m_events, &EventNavigator::nothingFound, this, say);
   connect(findChild<EventsPanel*>(), &EventsPanel::done, this, say);
+  connect(findChild<WeightsTable*>(), &WeightsTable::done, this, say);
   connect(m_exports, &Exports::done, this, say);
-  connect(m_files, &SceneFiles::fileChanged, this, &MainWindow::showTitle);
+  connect(m_editor, &SceneEditor::fileChanged, this, &MainWindow::showTitle);
+  connect(m_editor, &SceneEditor::sceneReplaced, this, &MainWindow::showTitle);
   connect(m_editor, &SceneEditor::modifiedChanged, this, &QWidget::setWindowModified);
 }
 
@@ -282,8 +356,24 @@ void MainWindow::connectView() {
   connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneArea::zoomIn);
   connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneArea::zoomOut);
   connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
+  connect(m_view, &SceneArea::trailsChanged, this, &MainWindow::showPainter);
+  m_hand = new SceneCommands(*m_commands, {m_editor, m_selection, m_controller, m_view}, this);
+  m_exports->setPictured([this] {
+    return PicturedMarks{m_hand->marks(), m_view->trails(), m_target->shown()};
+  });
+  connect(m_hand, &SceneCommands::draggingChanged, this, &MainWindow::showProblems);
+  connect(m_hand, &SceneCommands::said, statusBar(),
+          [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); });
   m_view->setPainterChoice(Settings().painter());
   showPainter();
+}
+
+void MainWindow::connectTarget() {
+  m_target = new TargetControl(*m_commands, m_controller, m_editor, m_view, this);
+  // None selected: the one before stays.
+  connect(m_selection, &Selection::weightSelected, m_target->target(), &SceneTarget::setWeight);
+  connect(m_commands->action(Command::kWhenToCut), &QAction::triggered, this,
+          &MainWindow::showWhenToCut);
 }
 
 void MainWindow::startScene() {
@@ -308,6 +398,7 @@ void MainWindow::showStopped() {
 }
 
 void MainWindow::showProblems() {
+  if (m_hand->isDragging()) return;
   const auto& problems = m_editor->problems();
   m_problemBar->say(problems.empty() ? QString()
                                      : tr("Not applied: %1").arg(problemWords(problems)));
@@ -320,7 +411,10 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::showPainter() {
-  m_painterLabel->setText(tr("Drawn by %1").arg(m_view->painterDescription()));
+  QStringList words{tr("Drawn by %1").arg(m_view->painterDescription())};
+  const QString trails = m_view->trailsDescription();
+  if (!trails.isEmpty()) words.prepend(trails);
+  m_painterLabel->setText(words.join(QStringLiteral(" · ")));
 }
 
 void MainWindow::changeSpeed(int steps) {
@@ -332,9 +426,19 @@ void MainWindow::showTrade() {
   m_trade->bringUp();
 }
 
+void MainWindow::showWhenToCut() {
+  if (!m_whenToCut) {
+    m_whenToCut = new CutWindow(m_editor, m_target->target(), this);
+    connect(m_whenToCut, &CutWindow::momentPicked, m_controller, &RunController::reset);
+  }
+  m_whenToCut->bringUp();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(m_files->mayLeaveScene());
-  if (event->isAccepted()) Settings().setPanels(saveState());
+  if (!event->isAccepted()) return;
+  memory().save();
+  if (m_drafts) m_drafts->letGo();
 }
 
 }  // namespace ui

@@ -25,6 +25,8 @@ struct Rope {
   double angle = 0;             ///< from straight down, towards +x positive [rad]
   double angularVelocity = 0;   ///< at t = 0, towards +x positive [rad/s]
   bool rigid = false;           ///< true: a rod, which never goes slack
+
+  bool operator==(const Rope&) const = default;
 };
 
 /// A disc in the plane with the mass and the drag of a sphere. It does not spin.
@@ -36,6 +38,8 @@ struct Weight {
   std::optional<Rope> rope;        ///< nothing: the weight starts free
   Eigen::Vector2d position{0, 0};  ///< of the center at t = 0 [m]; only used without a rope
   Eigen::Vector2d velocity{0, 0};  ///< at t = 0 [m/s]; only used without a rope
+
+  bool operator==(const Weight&) const = default;
 };
 
 /// The room's lower-left inside corner is the origin; x to the right, y up.
@@ -44,6 +48,8 @@ struct Room {
   double height = 3;         ///< [m]
   double restitution = 0.8;  ///< e of walls, floor and ceiling [-]
   double friction = 0;       ///< μ of walls, floor and ceiling [-]
+
+  bool operator==(const Room&) const = default;
 };
 
 /// Which method a run uses, and how finely.
@@ -51,6 +57,8 @@ struct Solver {
   std::string method = "rk4";  ///< id in the method table
   double step = 1.0 / 60;      ///< [s]; not used by adaptive methods
   double tolerance = 1e-9;     ///< [-]; only used by adaptive methods
+
+  bool operator==(const Solver&) const = default;
 };
 
 /// Everything the user sets. It stays constant while it runs.
@@ -64,6 +72,8 @@ struct Scene {
   std::optional<double> cutTime;  ///< when all ropes are cut [s]; nothing: by hand
   std::vector<Weight> weights;
   std::vector<Solver> solvers;  ///< runs that stand side by side; empty: the reader's choice
+
+  bool operator==(const Scene&) const = default;
 };
 
 /// Where the weight's center is at t = 0 [m].

@@ -12,7 +12,6 @@
 #include "ui/control/run_controller.h"
 #include "ui/control/settings.h"
 #include "ui/files/ledger_file.h"
-#include "ui/view/scene_picture.h"
 
 namespace ui {
 namespace {
@@ -33,7 +32,8 @@ void Exports::saveChart(const QString& file, QSizeF size) {
 }
 
 void Exports::savePicture(const QString& file) {
-  report(file, writeScenePicture(file, m_controller->runs(), m_controller->time()));
+  report(file, writeScenePicture(file, m_controller->runs(), m_controller->time(),
+                                 kScenePictureSize, m_pictured()));
 }
 
 void Exports::saveLedger(const QString& file, int run) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
 
 #include "ui/chart/chart_export.h"
+#include "ui/view/scene_picture.h"
 
 class QWidget;
 
@@ -21,6 +23,9 @@ class Exports : public QObject {
  public:
   /// @param chart  the chart as it is looked at at that moment
   Exports(const RunController* controller, std::function<ChartPicture()> chart, QWidget* window);
+
+  /// @param pictured  what is drawn besides the runs at that moment
+  void setPictured(std::function<PicturedMarks()> pictured) { m_pictured = std::move(pictured); }
 
   // To a file of this name, whose ending names the kind.
   /// @param size  in mm on paper
@@ -44,6 +49,7 @@ class Exports : public QObject {
 
   const RunController* m_controller;
   std::function<ChartPicture()> m_chart;
+  std::function<PicturedMarks()> m_pictured = [] { return PicturedMarks(); };
   QWidget* m_window;
 };
 

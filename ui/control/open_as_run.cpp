@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <QCoreApplication>
+
 #include "core/methods/method.h"
 #include "core/scene/scene_limits.h"
 #include "core/trade/settings.h"
@@ -16,7 +18,7 @@ int openAsRun(SceneEditor& editor, const core::Solver& solver) {
   const std::vector<core::Solver>& running = editor.draft().solvers;
   const auto found = std::ranges::find_if(running, isSame);
   if (found != running.end()) return static_cast<int>(found - running.begin());
-  editor.change([&](core::Scene& draft) {
+  const auto edit = [&](core::Scene& draft) {
     if (draft.solvers.size() == static_cast<std::size_t>(core::kMostSolvers)) {
       draft.solvers.pop_back();
     }
@@ -25,7 +27,8 @@ int openAsRun(SceneEditor& editor, const core::Solver& solver) {
     if (core::findMethod(solver.method)->isAdaptive) {
       draft.solvers.back().step = core::Solver().step;
     }
-  });
+  };
+  editor.change(edit, QCoreApplication::translate("ui::OpenAsRun", "one run more"));
   return static_cast<int>(editor.draft().solvers.size()) - 1;
 }
 

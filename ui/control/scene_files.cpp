@@ -10,6 +10,9 @@
 
 #include "core/scene/arrangement.h"
 #include "ui/control/file_dialog.h"
+#include "ui/control/first_scene.h"
+#include "ui/control/problem_words.h"
+#include "ui/control/recent_files.h"
 #include "ui/control/scene_editor.h"
 #include "ui/files/scene_file.h"
 
@@ -27,13 +30,31 @@ core::Scene newScene() {
 }  // namespace
 
 SceneFiles::SceneFiles(SceneEditor* editor, const QString& file, QWidget* window)
-    : QObject(window), m_editor(editor), m_file(file), m_window(window) {}
+    : QObject(window), m_editor(editor), m_window(window) {
+  editor->setSavedAs(file);
+  connect(editor, &SceneEditor::fileChanged, this, &SceneFiles::remember);
+  connect(editor, &SceneEditor::sceneReplaced, this, &SceneFiles::remember);
+  remember();
+}
+
+void SceneFiles::remember() {
+  RecentFiles::add(file());
+  rememberScene(file(), *m_editor->scene());
+}
+
+const QString& SceneFiles::file() const {
+  return m_editor->file();
+}
 
 bool SceneFiles::mayLeaveScene() {
   if (!m_editor->isModified()) return true;
   QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
                        tr("The scene has changes that are not saved. Save them?"),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+  if (!m_editor->problems().empty()) {
+    question.setInformativeText(
+        tr("What could not be applied is not saved: %1").arg(problemWords(m_editor->problems())));
+  }
   switch (question.exec()) {
     case QMessageBox::Save:
       return save();
@@ -45,45 +66,54 @@ bool SceneFiles::mayLeaveScene() {
 }
 
 void SceneFiles::startNew() {
-  if (mayLeaveScene()) take(newScene(), {});
+  if (mayLeaveScene()) m_editor->replace(newScene(), {}, tr("start of a new scene"));
 }
 
 void SceneFiles::askAndOpen() {
   if (!mayLeaveScene()) return;
-  const QString file = QFileDialog::getOpenFileName(m_window, tr("Open scene"), m_file,
-                                                    tr("Scenes (*.json);;All files (*)"));
-  if (!file.isEmpty()) open(file);
+  const QString chosen = QFileDialog::getOpenFileName(m_window, tr("Open scene"), file(),
+                                                      tr("Scenes (*.json);;All files (*)"));
+  if (!chosen.isEmpty()) open(chosen);
 }
 
 void SceneFiles::openBuiltIn(const QString& name) {
-  if (mayLeaveScene()) take(builtInScene(name), {});
+  if (!mayLeaveScene()) return;
+  const core::Scene scene = builtInScene(name);
+  m_editor->replace(scene, {}, openingWords(QString::fromStdString(scene.name)));
+}
+
+void SceneFiles::leaveAndOpen(const QString& file) {
+  if (mayLeaveScene()) open(file);
 }
 
 void SceneFiles::open(const QString& file) {
   SceneOrError read = readSceneFile(file);
   if (!read.scene) {
-    QMessageBox::warning(m_window, tr("Scene not opened"),
-                         tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), read.error));
+    warnNotOpened(file, read.error);
     return;
   }
-  take(std::move(*read.scene), file);
+  m_editor->replace(std::move(*read.scene), file, openingWords(QFileInfo(file).fileName()));
 }
 
-void SceneFiles::take(core::Scene scene, const QString& file) {
-  m_editor->replace(std::move(scene));
-  setFile(file);
+void SceneFiles::warnNotOpened(const QString& file, const QString& reason) {
+  QMessageBox::warning(m_window, tr("Scene not opened"),
+                       tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), reason));
+}
+
+QString SceneFiles::openingWords(const QString& name) {
+  return tr("opening of %1").arg(name);
 }
 
 bool SceneFiles::save() {
-  return m_file.isEmpty() ? saveAs() : saveTo(m_file);
+  return file().isEmpty() ? saveAs() : saveTo(file());
 }
 
 bool SceneFiles::saveAs() {
   const QString name = QString::fromStdString(m_editor->scene()->name);
-  const QString suggested = m_file.isEmpty() ? fileNameFrom(name) + ".json" : m_file;
-  const QString file =
+  const QString suggested = file().isEmpty() ? fileNameFrom(name) + ".json" : file();
+  const QString chosen =
       askWhereToSave(m_window, tr("Save scene"), suggested, {tr("Scene (*.json)")});
-  return !file.isEmpty() && saveTo(file);
+  return !chosen.isEmpty() && saveTo(chosen);
 }
 
 bool SceneFiles::saveTo(const QString& file) {
@@ -93,15 +123,9 @@ bool SceneFiles::saveTo(const QString& file) {
                          tr("%1 was not saved:\n%2").arg(QFileInfo(file).fileName(), error));
     return false;
   }
-  m_editor->setSaved();
-  setFile(file);
+  m_editor->setSavedAs(file);
   emit done(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
   return true;
-}
-
-void SceneFiles::setFile(const QString& file) {
-  m_file = file;
-  emit fileChanged(file);
 }
 
 }  // namespace ui

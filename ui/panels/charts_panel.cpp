@@ -149,12 +149,20 @@ void ChartsPanel::chooseKind(int kind) {
   m_kinds->setCurrentIndex(kind);
 }
 
+int ChartsPanel::kind() const {
+  return m_kinds->currentIndex();
+}
+
 void ChartsPanel::chooseRun(int run) {
   m_runs->setCurrentIndex(run + 1);
 }
 
 void ChartsPanel::chooseWeight(int weight) {
   m_weight->setValue(weight + 1);
+}
+
+int ChartsPanel::weight() const {
+  return m_weight->value() - 1;
 }
 
 void ChartsPanel::chooseNextKind() {

@@ -34,10 +34,14 @@ class ChartsPanel : public QWidget {
 
   /// @param kind  index in chartKinds()
   void chooseKind(int kind);
+  /// Index of the kind shown.
+  int kind() const;
   /// Shows the run with this index; −1: all.
   void chooseRun(int run);
   /// Shows the weight with this index; −1: all.
   void chooseWeight(int weight);
+  /// Index of the weight shown; −1: all.
+  int weight() const;
 
  public slots:
   void chooseNextKind();

@@ -156,6 +156,10 @@ void EventsPanel::setWeight(int weight) {
   m_weight->setValue(weight + 1);
 }
 
+int EventsPanel::weight() const {
+  return m_weight->value() - 1;
+}
+
 void EventsPanel::applyFilter() {
   m_table->setFilter(kEventGroups[m_kinds->currentIndex()], m_weight->value() - 1);
   follow();

@@ -23,6 +23,9 @@ class EventsPanel : public QWidget {
   /// Chooses what is listed, wherever it is laid out.
   QWidget* filters() const { return m_filters; }
 
+  /// Index of the weight whose events are listed; −1: all.
+  int weight() const;
+
  public slots:
   /// Lists the events of one weight only.
   /// @param weight  index; −1: all

@@ -2,9 +2,10 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QLocale>
 
 #include "ui/control/scene_editor.h"
-#include "ui/panels/problem_words.h"
+#include "ui/control/problem_words.h"
 #include "ui/panels/quantity_field.h"
 
 namespace ui {
@@ -40,9 +41,15 @@ QuantityField* Form::addQuantity(const QString& label, const QuantityStyle& styl
 void Form::bind(QuantityField* field, Reader read, Writer write) {
   m_bindings.push_back({field, std::move(read)});
   connect(field, &QuantityField::edited, this, [this, field, write = std::move(write)](double v) {
-    const bool canRun = m_editor->change([&](core::Scene& draft) { write(draft, v); });
+    const QuantitySpinBox* box = field->spinBox();
+    const QString name = box->accessibleName();
+    // One go of an arrow is one step; what is typed is a step each time.
+    const bool canRun = m_editor->change([&](core::Scene& draft) { write(draft, v); },
+                                         tr("change of %1").arg(QLocale().toLower(name)),
+                                         box->isStepping() ? name : QString());
     if (!canRun) field->mark(problemWords(m_editor->problems().front()));
   });
+  connect(field->spinBox(), &QAbstractSpinBox::editingFinished, m_editor, &SceneEditor::closeStep);
   connect(field, &QuantityField::cancelled, m_editor, &SceneEditor::giveUpDraft);
 }
 

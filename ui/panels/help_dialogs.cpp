@@ -36,11 +36,19 @@ std::vector<Line> keyLines(const Commands& commands) {
 std::vector<Line> mouseLines() {
   return {{Words::tr("Wheel"), Words::tr("Zoom")},
           {Words::tr("Drag"), Words::tr("Move the view")},
+          {Words::tr("Click on a weight"), Words::tr("Select it")},
+          {Words::tr("Drag a weight"), Words::tr("Set its angle or place")},
+          {Words::tr("Shift+drag a weight"), Words::tr("Set the length of its rope")},
+          {Words::tr("Drag a weight's arrow"), Words::tr("Set its velocity")},
+          {Words::tr("Ctrl while dragging"), Words::tr("Snap")},
           {Words::tr("Double click"), Words::tr("Fit the room")},
           {Words::tr("Drag in a chart"), Words::tr("Zoom to a box")},
           {Words::tr("Shift+drag in a chart"), Words::tr("Move what it shows")},
           {Words::tr("+, −, 0 in a chart"), Words::tr("Zoom in, out, show all")},
           {Words::tr("Alt+arrows in a chart"), Words::tr("Move what it shows")},
+          {Words::tr("Insert, Delete in the table"), Words::tr("Add, remove weights")},
+          {Words::tr("Ctrl+C, Ctrl+V in the table"), Words::tr("Copy, paste cells")},
+          {Words::tr("Ctrl+D in the table"), Words::tr("Fill down")},
           {Words::tr("Return in a field"), Words::tr("Apply the value")},
           {Words::tr("Escape in a field"), Words::tr("Bring back the last value")}};
 }

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
+#include <QScopedValueRollback>
 
 #include "ui/control/quantity_text.h"
 #include "ui/panels/wheel_guard.h"
@@ -85,6 +86,7 @@ void QuantitySpinBox::stepBy(int steps) {
   const QString before = m_shownText;
   showValue(next);
   m_shownText = before;
+  const QScopedValueRollback stepping(m_stepping, true);
   emit committed();
 }
 
@@ -98,13 +100,14 @@ QAbstractSpinBox::StepEnabled QuantitySpinBox::stepEnabled() const {
 }
 
 bool QuantitySpinBox::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride &&
-      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
-    emit committed();
-    event->ignore();
-    return true;
-  }
-  return QAbstractSpinBox::event(event);
+  if (event->type() != QEvent::ShortcutOverride) return QAbstractSpinBox::event(event);
+  const auto* key = static_cast<QKeyEvent*>(event);
+  const bool isSpace = key->key() == Qt::Key_Space;
+  if (isSpace) emit committed();
+  const bool isUndo = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo);
+  if (!isSpace && !(isUndo && isUntouched())) return QAbstractSpinBox::event(event);
+  event->ignore();
+  return true;
 }
 
 void QuantitySpinBox::keyPressEvent(QKeyEvent* event) {

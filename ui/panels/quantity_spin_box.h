@@ -21,7 +21,7 @@ struct QuantityStyle {
 /// is clamped or corrected on the way. Works in shown units.
 ///
 /// Return hands the keyboard back to the window, whose keys a teacher wants next; the space
-/// bar is the window's at all times, since no number has one.
+/// bar is the window's at all times, since no number has one; undo is while nothing is typed.
 class QuantitySpinBox : public QAbstractSpinBox {
   Q_OBJECT
 
@@ -40,6 +40,8 @@ class QuantitySpinBox : public QAbstractSpinBox {
   std::optional<double> typedValue() const;
   /// False once the user has typed something new.
   bool isUntouched() const { return text() == m_shownText; }
+  /// True while committed() tells of an arrow, not of something typed.
+  bool isStepping() const { return m_stepping; }
 
   void setMarked(bool marked);
 
@@ -66,6 +68,7 @@ class QuantitySpinBox : public QAbstractSpinBox {
   QuantityStyle m_style;
   QString m_shownText;
   bool m_marked = false;
+  bool m_stepping = false;
 };
 
 }  // namespace ui

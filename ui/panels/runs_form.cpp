@@ -120,17 +120,18 @@ QWidget* RunsForm::nameOf(const Row& row, int index) {
 }
 
 void RunsForm::setShown(int index, bool shown) {
-  editor()->change([&](core::Scene& draft) {
+  const auto edit = [&](core::Scene& draft) {
     if (shown) {
       draft.solvers.push_back(m_runs[index].latest);
     } else {
       draft.solvers.erase(draft.solvers.begin() + index);
     }
-  });
+  };
+  editor()->change(edit, shown ? tr("one run more") : tr("one run less"));
 }
 
 void RunsForm::setMethod(int index, const QString& id) {
-  editor()->change([&](core::Scene& draft) {
+  const auto edit = [&](core::Scene& draft) {
     core::Solver& solver = draft.solvers[index];
     const bool wasReference = core::isReference(solver);
     solver.method = id.toStdString();
@@ -139,7 +140,8 @@ void RunsForm::setMethod(int index, const QString& id) {
     // Files hold no step for those that choose their own.
     if (core::findMethod(solver.method)->isAdaptive && !core::isReference(solver))
       solver.step = core::Solver().step;
-  });
+  };
+  editor()->change(edit, tr("change of the method"));
 }
 
 void RunsForm::showDraft() {

@@ -89,9 +89,11 @@ void SceneForm::addCut() {
 }
 
 void SceneForm::setCutByClock(bool byClock) {
-  editor()->change([byClock](core::Scene& draft) {
-    draft.cutTime = byClock ? std::optional(kFirstCutTime) : std::nullopt;
-  });
+  editor()->change(
+      [byClock](core::Scene& draft) {
+        draft.cutTime = byClock ? std::optional(kFirstCutTime) : std::nullopt;
+      },
+      tr("change of the cut"));
 }
 
 void SceneForm::showDraft() {

@@ -5,6 +5,7 @@
 
 #include "core/run/run.h"
 #include "ui/view/camera.h"
+#include "ui/view/target_handle.h"
 
 namespace ui {
 
@@ -41,6 +42,36 @@ void SceneArea::showStep(const ShownStep* step, std::size_t run) {
     m_views[i]->showStep(m_views.size() == 1 || i == run ? step : nullptr);
 }
 
+void SceneArea::setMarks(const SceneMarks& marks) {
+  m_marks = marks;
+  for (SceneView* view : m_views) view->setMarks(marks);
+  followOne(m_views.front());
+}
+
+void SceneArea::setHand(SceneHand* hand) {
+  m_hand = hand;
+  for (SceneView* view : m_views) view->setHand(hand);
+}
+
+const Trails* SceneArea::trails() const {
+  return m_views.size() == 1 ? m_views.front()->trails() : nullptr;
+}
+
+void SceneArea::setTarget(const std::optional<ShownTarget>& target) {
+  m_target = target;
+  distributeTarget();
+}
+
+/// Each view shows the landings of its own runs.
+void SceneArea::distributeTarget() {
+  for (std::size_t i = 0; i < m_views.size(); ++i) {
+    std::optional<ShownTarget> target = m_target;
+    const bool isOwn = m_views.size() > 1 && target && i < target->landings.size();
+    if (isOwn) target->landings = {m_target->landings[i]};
+    m_views[i]->setTarget(target);
+  }
+}
+
 void SceneArea::setSplit(bool split) {
   if (split == m_split) return;
   m_split = split;
@@ -56,7 +87,9 @@ void SceneArea::distributeRuns() {
   } else {
     m_views.front()->setRuns(m_runs);
   }
+  distributeTarget();
   arrange();
+  emit trailsChanged();
 }
 
 void SceneArea::setViewCount(std::size_t count) {
@@ -71,8 +104,11 @@ void SceneArea::addView() {
   auto* view = new SceneView(this);
   view->setPainterChoice(m_choice);
   view->setTrailsShown(m_trailsShown);
+  view->setMarks(m_marks);
+  view->setHand(m_hand);
   connect(view, &SceneView::painterChanged, this, &SceneArea::painterChanged);
   connect(view, &SceneView::cameraMoved, this, [this, view] { followOne(view); });
+  connect(new TargetHandle(view), &TargetHandle::moved, this, &SceneArea::targetMoved);
   m_views.push_back(view);
   view->show();
 }
@@ -85,6 +121,7 @@ void SceneArea::setPainterChoice(PainterChoice choice) {
 void SceneArea::setTrailsShown(bool shown) {
   m_trailsShown = shown;
   for (SceneView* view : m_views) view->setTrailsShown(shown);
+  emit trailsChanged();
 }
 
 void SceneArea::resizeEvent(QResizeEvent*) {

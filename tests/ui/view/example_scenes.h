@@ -51,6 +51,7 @@ inline ui::ShownScene everything(ui::Trails& trails) {
       run.weights[i].phase = i == 2 ? core::Phase::kSlack : core::Phase::kTethered;
   }
   shown.scene.weights[6].radius = 0.3;
+  shown.target = {{3, 0.4}, {ui::ShownLanding{3.05, 1}, std::nullopt}};
   shown.colors = {0xffe69f00, 0xff56b4e9, 0xff009e73, 0xfff0e442,
                   0xff0072b2, 0xffd55e00, 0xff000000};
   trails.reset(2, 7, 2);
@@ -62,6 +63,22 @@ inline ui::ShownScene everything(ui::Trails& trails) {
         past[r].weights[i].position =
             shown.runs[r].weights[i].position + Eigen::Vector2d(-back, std::sin(3 * back));
     trails.record(1 - back, past);
+  }
+  return shown;
+}
+
+/// The same with all arrows, a selected weight whose draft is refused, and all tools.
+inline ui::ShownScene marked(ui::ShownScene shown) {
+  shown.marks.arrows = {.velocities = true, .forces = true, .tensions = true};
+  core::Weight rejected = shown.scene.weights[2];
+  rejected.rope->angle = 1;
+  shown.marks.selection = ui::ShownSelection{2, true, {"Weight 3", "Angle 57°"}, rejected};
+  shown.marks.tools.tape = ui::MeasuringTape{{1, 1}, {2.5, 0.6}};
+  shown.marks.tools.protractor = ui::Protractor{{2, 2}, {3, 2}, {2, 2.5}};
+  shown.marks.tools.stopwatch = ui::Stopwatch();
+  for (core::WeightState& state : shown.runs[0].weights) {
+    state.velocity = {0.5, 1};
+    if (state.phase == core::Phase::kTethered) state.tension = 2;
   }
   return shown;
 }
