@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QTimer>
 
 #include "ui/control/commands.h"
 #include "ui/control/scene_editor.h"
@@ -36,6 +37,12 @@ void LessonGuide::begin() {
   m_panel->showScene(*m_editor->scene());
   m_dock->setVisible(!lesson().isEmpty() && lesson() != Settings().hiddenLesson());
   m_dock->raise();
+  // With its final size the window goes back to the tabs it was left with, and raise() alone does
+  // nothing to what it takes to be in front already.
+  QTimer::singleShot(0, m_dock, [this] {
+    m_dock->lower();
+    m_dock->raise();
+  });
 }
 
 QString LessonGuide::lesson() const {
