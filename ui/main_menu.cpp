@@ -23,6 +23,7 @@ MainMenu::MainMenu(QMenuBar* bar, const Commands& commands) : QObject(bar) {
   addEditMenu(bar, commands);
   addRunMenu(bar, commands);
   addViewMenu(bar, commands);
+  addWeightMenu(bar, commands);
   addChartMenu(bar, commands);
   addHelpMenu(bar, commands);
   addButtons(bar, commands);
@@ -98,9 +99,29 @@ void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {
   m_panels = m_view->addMenu(tr("&Panels"));
   m_view->addSeparator();
   addCommands(m_view, commands,
-              {Command::kSplit, Command::kTrails, Command::kTarget, Command::kLessonText,
-               Command::kFit, Command::kZoomIn, Command::kZoomOut, Command::kPresent});
+              {Command::kSplit, Command::kTrails, Command::kVelocities, Command::kForces,
+               Command::kTensions, Command::kTarget});
+  addCommands(m_view->addMenu(tr("&Measure")), commands,
+              {Command::kTape, Command::kProtractor, Command::kNextToolPart, Command::kStopwatch,
+               Command::kStartStopwatch, Command::kZeroStopwatch});
   m_view->addSeparator();
+  addCommands(m_view, commands,
+              {Command::kFit, Command::kZoomIn, Command::kZoomOut, Command::kLessonText,
+               Command::kPresent});
+  m_view->addSeparator();
+}
+
+void MainMenu::addWeightMenu(QMenuBar* bar, const Commands& commands) {
+  QMenu* weight = bar->addMenu(tr("&Weight"));
+  addCommands(weight, commands,
+              {Command::kNextWeight, Command::kPreviousWeight, Command::kDeselect});
+  weight->addSeparator();
+  addCommands(weight, commands,
+              {Command::kMoveLeft, Command::kMoveRight, Command::kMoveUp, Command::kMoveDown});
+  weight->addSeparator();
+  addCommands(weight, commands,
+              {Command::kAccelerateLeft, Command::kAccelerateRight, Command::kAccelerateUp,
+               Command::kAccelerateDown});
 }
 
 void MainMenu::addChartMenu(QMenuBar* bar, const Commands& commands) {

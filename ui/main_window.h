@@ -24,6 +24,7 @@ class MessageBar;
 class PlaybackBar;
 class RunController;
 class SceneArea;
+class SceneCommands;
 class SceneEditor;
 class SceneFiles;
 class Selection;
@@ -97,6 +98,7 @@ class MainWindow : public QMainWindow {
 
   MainMenu* m_menu;
   SceneArea* m_view;
+  SceneCommands* m_hand = nullptr;
   TargetControl* m_target;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
