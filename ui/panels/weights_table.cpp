@@ -299,8 +299,10 @@ bool WeightsTable::eventFilter(QObject* watched, QEvent* event) {
   const auto* key = static_cast<QKeyEvent*>(event);
   const bool isReturn = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
   if (event->type() == QEvent::ShortcutOverride && isTableKey(*key)) event->accept();
-  if (event->type() == QEvent::KeyPress && isReturn && m_view->currentIndex().isValid()) {
-    m_view->edit(m_view->currentIndex());
+  if (event->type() == QEvent::KeyPress && isReturn) {
+    // One that ends the editing of a cell comes here, too.
+    const QModelIndex current = m_view->currentIndex();
+    if (m_view->hasFocus() && (current.flags() & Qt::ItemIsEditable)) m_view->edit(current);
     return true;
   }
   return QWidget::eventFilter(watched, event);
