@@ -6,12 +6,11 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QTableView>
-#include <QToolButton>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "core/scene/placing.h"
@@ -55,7 +54,7 @@ WeightsTable::WeightsTable(SceneEditor* editor, Selection* selection, QWidget* p
       m_selection(selection),
       m_model(new WeightsModel(editor, this)),
       m_view(new QTableView),
-      m_buttons(new QWidget),
+      m_buttons(new QToolBar),
       m_refusal(new MessageBar(tr("Close"))) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
@@ -104,9 +103,7 @@ void WeightsTable::buildView() {
 }
 
 void WeightsTable::buildButtons() {
-  auto* layout = new QHBoxLayout(m_buttons);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2);
+  m_buttons->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
   addButton("add", tr("Add"), tr("Add a weight"), "Ins", &WeightsTable::addWeight);
   m_needRows = {addButton("duplicate", tr("Duplicate"), tr("Add a copy of each selected weight"),
@@ -138,12 +135,8 @@ QAction* WeightsTable::addButton(const QString& iconName, const QString& words, 
   m_view->addAction(action);
   if (iconName.isEmpty()) return action;
   action->setIcon(icon(iconName));
-  auto* button = new QToolButton;
-  button->setDefaultAction(action);
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setAutoRaise(true);
-  button->setFocusPolicy(Qt::TabFocus);
-  m_buttons->layout()->addWidget(button);
+  m_buttons->addAction(action);
+  m_buttons->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
   return action;
 }
 
@@ -198,7 +191,7 @@ bool WeightsTable::take(PastedScene pasted, const QString& words) {
 }
 
 void WeightsTable::addWeight() {
-  append({core::firstWeight(m_editor->draft().room)}, tr("a new weight"));
+  append({core::firstWeight(m_editor->draft().room)}, tr("addition of a weight"));
 }
 
 void WeightsTable::duplicate() {
