@@ -26,6 +26,7 @@ namespace {
 
 constexpr int kRowMargin = 8;  // px above and below the words together
 constexpr int kColumnMargin = 20;
+constexpr QSize kIconSize(16, 16);
 
 /// Keys that move in a table or begin to edit a cell; the window has other uses for them.
 bool isTableKey(const QKeyEvent& event) {
@@ -104,6 +105,7 @@ void WeightsTable::buildView() {
 
 void WeightsTable::buildButtons() {
   m_buttons->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_buttons->setIconSize(kIconSize);
   m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
   addButton("add", tr("Add"), tr("Add a weight"), "Ins", &WeightsTable::addWeight);
   m_needRows = {addButton("duplicate", tr("Duplicate"), tr("Add a copy of each selected weight"),
