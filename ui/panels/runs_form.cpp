@@ -127,7 +127,7 @@ void RunsForm::setShown(int index, bool shown) {
       draft.solvers.erase(draft.solvers.begin() + index);
     }
   };
-  editor()->change(edit, shown ? tr("one run more") : tr("one run less"));
+  editor()->change(edit, shown ? tr("addition of a run") : tr("removal of a run"));
 }
 
 void RunsForm::setMethod(int index, const QString& id) {
