@@ -20,6 +20,8 @@ class LessonGuide;
 class MainMenu;
 class MessageBar;
 class PlaybackBar;
+class Presentation;
+class PresentationHeader;
 class RunController;
 class SceneArea;
 class SceneEditor;
@@ -47,6 +49,7 @@ class MainWindow : public QMainWindow {
   Exports* exports() const { return m_exports; }
   const Commands& commands() const { return *m_commands; }
   ChartsPanel* charts() const { return m_charts; }
+  Presentation* presentation() const { return m_presentation; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -64,6 +67,7 @@ class MainWindow : public QMainWindow {
   void connectScene();
   void connectFiles();
   void connectView();
+  void preparePresentation();
 
   void startScene();
   void showTime(double time);
@@ -86,9 +90,12 @@ class MainWindow : public QMainWindow {
 
   MainMenu* m_menu;
   SceneArea* m_view;
+  PresentationHeader* m_header;
+  QWidget* m_timeline;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
   LessonGuide* m_lessons;
+  Presentation* m_presentation;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;

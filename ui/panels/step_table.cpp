@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
 
@@ -82,6 +83,12 @@ StepTable::StepTable(QWidget* parent) : QTableWidget(parent) {
   verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   verticalHeader()->setMinimumSectionSize(fontMetrics().height() + 2);
   verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void StepTable::changeEvent(QEvent* event) {
+  QTableWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange)
+    verticalHeader()->setMinimumSectionSize(fontMetrics().height() + 2);
 }
 
 void StepTable::clearPart() {
