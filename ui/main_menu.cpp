@@ -76,7 +76,7 @@ void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {
   run->addSeparator();
   addCommands(run, commands, {Command::kSlower, Command::kFaster});
   run->addSeparator();
-  addCommands(run, commands, {Command::kMeasure});
+  addCommands(run, commands, {Command::kWhenToCut, Command::kMeasure});
 }
 
 void MainMenu::addGoToMenu(QMenu* menu, const Commands& commands) {
@@ -95,8 +95,8 @@ void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {
   m_panels = m_view->addMenu(tr("&Panels"));
   m_view->addSeparator();
   addCommands(m_view, commands,
-              {Command::kSplit, Command::kTrails, Command::kLessonText, Command::kFit,
-               Command::kZoomIn, Command::kZoomOut, Command::kPresent});
+              {Command::kSplit, Command::kTrails, Command::kTarget, Command::kLessonText,
+               Command::kFit, Command::kZoomIn, Command::kZoomOut, Command::kPresent});
   m_view->addSeparator();
 }
 

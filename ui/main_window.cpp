@@ -21,13 +21,16 @@
 #include "ui/control/run_words.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
+#include "ui/control/scene_target.h"
 #include "ui/control/selection.h"
 #include "ui/control/settings.h"
+#include "ui/control/target_control.h"
 #include "ui/control/time_commands.h"
 #include "ui/control/undo_commands.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
 #include "ui/panels/comparison_panel.h"
+#include "ui/panels/cut_window.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/form_area.h"
 #include "ui/panels/help_dialogs.h"
@@ -91,6 +94,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectFiles();
   connectView();
   preparePresentation();
+  connectTarget();
   startScene();
   showTitle();
 }
@@ -304,6 +308,15 @@ void MainWindow::preparePresentation() {
                                                   .controls = {m_timeline, m_playback}});
 }
 
+void MainWindow::connectTarget() {
+  m_target = new TargetControl(*m_commands, m_controller, m_editor, m_view, this);
+  m_exports->setTarget([this] { return m_target->shown(); });
+  // None selected: the one before stays.
+  connect(m_selection, &Selection::weightSelected, m_target->target(), &SceneTarget::setWeight);
+  connect(m_commands->action(Command::kWhenToCut), &QAction::triggered, this,
+          &MainWindow::showWhenToCut);
+}
+
 void MainWindow::startScene() {
   m_controller->setScene(m_editor->scene());
   QStringList names;
@@ -348,6 +361,14 @@ void MainWindow::changeSpeed(int steps) {
 void MainWindow::showTrade() {
   if (!m_trade) m_trade = new TradeWindow(m_editor, this);
   m_trade->bringUp();
+}
+
+void MainWindow::showWhenToCut() {
+  if (!m_whenToCut) {
+    m_whenToCut = new CutWindow(m_editor, m_target->target(), this);
+    connect(m_whenToCut, &CutWindow::momentPicked, m_controller, &RunController::reset);
+  }
+  m_whenToCut->bringUp();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -13,6 +13,7 @@ namespace ui {
 class Appearance;
 class ChartsPanel;
 class Commands;
+class CutWindow;
 class EventNavigator;
 class Exports;
 class FrameTicker;
@@ -27,6 +28,7 @@ class SceneArea;
 class SceneEditor;
 class SceneFiles;
 class Selection;
+class TargetControl;
 class TradeWindow;
 
 /// The window: the scene in the middle, forms at its side, charts below. Puts the
@@ -50,6 +52,7 @@ class MainWindow : public QMainWindow {
   const Commands& commands() const { return *m_commands; }
   ChartsPanel* charts() const { return m_charts; }
   Presentation* presentation() const { return m_presentation; }
+  TargetControl* target() const { return m_target; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -68,6 +71,7 @@ class MainWindow : public QMainWindow {
   void connectFiles();
   void connectView();
   void preparePresentation();
+  void connectTarget();
 
   void startScene();
   void showTime(double time);
@@ -77,6 +81,7 @@ class MainWindow : public QMainWindow {
   void showPainter();
   void changeSpeed(int steps);
   void showTrade();
+  void showWhenToCut();
 
   Appearance* m_appearance;
   SceneEditor* m_editor;
@@ -92,6 +97,7 @@ class MainWindow : public QMainWindow {
   SceneArea* m_view;
   PresentationHeader* m_header;
   QWidget* m_timeline;
+  TargetControl* m_target;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
   LessonGuide* m_lessons;
@@ -99,8 +105,9 @@ class MainWindow : public QMainWindow {
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
-  TradeWindow* m_trade = nullptr;  // made when it is wanted first
-  bool m_panelsSized = false;      // once: from then on the user decides
+  TradeWindow* m_trade = nullptr;    // made when it is wanted first
+  CutWindow* m_whenToCut = nullptr;  // likewise
+  bool m_panelsSized = false;        // once: from then on the user decides
 };
 
 }  // namespace ui

@@ -105,8 +105,14 @@ constexpr Look kLooks[] = {
     {Command::kMeasure, QT_TRANSLATE_NOOP("ui::Commands", "Speed and &accuracy…"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Measure what accuracy costs, and how large steps may be"),
      "accuracy", "Ctrl+M"},
+    {Command::kWhenToCut, QT_TRANSLATE_NOOP("ui::Commands", "&When to cut?…"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Find the moments to cut at that hit the target"),
+     "when-to-cut", "W"},
     {Command::kTrails, QT_TRANSLATE_NOOP("ui::Commands", "&Trails"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show where the weights have just been"), "trails", "T"},
+    {Command::kTarget, QT_TRANSLATE_NOOP("ui::Commands", "Tar&get"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show a target on the floor; drag it to where it shall be"),
+     "target", "G"},
     {Command::kLessonText, QT_TRANSLATE_NOOP("ui::Commands", "&Lesson text"),
      QT_TRANSLATE_NOOP("ui::Commands", "Lesson"),
      QT_TRANSLATE_NOOP("ui::Commands", "Show what to look for and what to try, or hide it"),
@@ -158,6 +164,7 @@ Commands::Commands(QObject* parent) : QObject(parent) {
   }
   action(Command::kSplit)->setCheckable(true);
   action(Command::kTrails)->setCheckable(true);
+  action(Command::kTarget)->setCheckable(true);
   action(Command::kLessonText)->setCheckable(true);
   action(Command::kPresent)->setCheckable(true);
   action(Command::kTrails)->setChecked(true);

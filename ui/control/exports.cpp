@@ -33,7 +33,13 @@ void Exports::saveChart(const QString& file, QSizeF size) {
 }
 
 void Exports::savePicture(const QString& file) {
-  report(file, writeScenePicture(file, m_controller->runs(), m_controller->time()));
+  const std::optional<ShownTarget> target = m_target ? m_target() : std::nullopt;
+  report(file, writeScenePicture(file, m_controller->runs(), m_controller->time(),
+                                 kScenePictureSize, nullptr, target ? &*target : nullptr));
+}
+
+void Exports::setTarget(std::function<std::optional<ShownTarget>()> target) {
+  m_target = std::move(target);
 }
 
 void Exports::saveLedger(const QString& file, int run) {

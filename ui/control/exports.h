@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
 
 #include "ui/chart/chart_export.h"
+#include "ui/view/shown_target.h"
 
 class QWidget;
 
@@ -21,6 +23,9 @@ class Exports : public QObject {
  public:
   /// @param chart  the chart as it is looked at at that moment
   Exports(const RunController* controller, std::function<ChartPicture()> chart, QWidget* window);
+
+  /// @param target  the target as it is shown at that moment, for pictures of the scene
+  void setTarget(std::function<std::optional<ShownTarget>()> target);
 
   // To a file of this name, whose ending names the kind.
   /// @param size  in mm on paper
@@ -44,6 +49,7 @@ class Exports : public QObject {
 
   const RunController* m_controller;
   std::function<ChartPicture()> m_chart;
+  std::function<std::optional<ShownTarget>()> m_target;  // may be empty
   QWidget* m_window;
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/run/run.h"
 #include "ui/view/camera.h"
+#include "ui/view/target_handle.h"
 
 namespace ui {
 
@@ -41,6 +42,21 @@ void SceneArea::showStep(const ShownStep* step, std::size_t run) {
     m_views[i]->showStep(m_views.size() == 1 || i == run ? step : nullptr);
 }
 
+void SceneArea::setTarget(const std::optional<ShownTarget>& target) {
+  m_target = target;
+  distributeTarget();
+}
+
+/// Each view shows the landings of its own runs.
+void SceneArea::distributeTarget() {
+  for (std::size_t i = 0; i < m_views.size(); ++i) {
+    std::optional<ShownTarget> target = m_target;
+    const bool isOwn = m_views.size() > 1 && target && i < target->landings.size();
+    if (isOwn) target->landings = {m_target->landings[i]};
+    m_views[i]->setTarget(target);
+  }
+}
+
 void SceneArea::setSplit(bool split) {
   if (split == m_split) return;
   m_split = split;
@@ -56,6 +72,7 @@ void SceneArea::distributeRuns() {
   } else {
     m_views.front()->setRuns(m_runs);
   }
+  distributeTarget();
   arrange();
 }
 
@@ -73,6 +90,7 @@ void SceneArea::addView() {
   view->setTrailsShown(m_trailsShown);
   connect(view, &SceneView::painterChanged, this, &SceneArea::painterChanged);
   connect(view, &SceneView::cameraMoved, this, [this, view] { followOne(view); });
+  connect(new TargetHandle(view), &TargetHandle::moved, this, &SceneArea::targetMoved);
   m_views.push_back(view);
   view->show();
 }

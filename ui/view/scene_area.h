@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QString>
 #include <QWidget>
 
 #include "ui/view/scene_view.h"
+#include "ui/view/shown_target.h"
 
 namespace ui {
 
@@ -26,6 +28,9 @@ class SceneArea : public QWidget {
   /// Opens up a step of a weight in this run; null: none.
   void showStep(const ShownStep* step, std::size_t run);
 
+  /// Shows a target on the floor, with a landing for each run; nothing: none.
+  void setTarget(const std::optional<ShownTarget>& target);
+
   bool isSplit() const { return m_split; }
   /// In the order of the runs; one for all where they are not split.
   const std::vector<SceneView*>& views() const { return m_views; }
@@ -44,12 +49,15 @@ class SceneArea : public QWidget {
  signals:
   /// Another painter draws from now on.
   void painterChanged();
+  /// The user dragged the target.
+  void targetMoved(const core::Target& target);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void distributeRuns();
+  void distributeTarget();
   void setViewCount(std::size_t count);
   void addView();
   void arrange();
@@ -59,6 +67,7 @@ class SceneArea : public QWidget {
   std::vector<const core::Run*> m_runs;
   std::vector<SceneView*> m_views;  // never empty; children
   PainterChoice m_choice = PainterChoice::kAutomatic;
+  std::optional<ShownTarget> m_target;
   double m_time = 0;
   bool m_trailsShown = true;
   bool m_split = false;

@@ -5,6 +5,7 @@
 #include "ui/view/room_drawing.h"
 #include "ui/view/scene_look.h"
 #include "ui/view/shown_scene.h"
+#include "ui/view/target_drawing.h"
 #include "ui/view/weight_drawing.h"
 
 namespace ui {
@@ -26,6 +27,7 @@ Drawing sceneDrawing(const ShownScene& shown, const Trails& trails, const Camera
   const core::Room& room = shown.scene.room;
   const Ruler ruler = roomRuler(room, camera, look);
   drawRoom(room, ruler, camera, look, drawing);
+  if (shown.target) drawTarget(*shown.target, shown.runs, room, camera, look, drawing);
   const double top = numbersTop(shown, camera, look);
   drawNumbers(room, ruler, top, camera, look, drawing);
   drawTrails(shown, trails, look, drawing);

@@ -126,9 +126,11 @@ QString save(const QString& file, const QByteArray& bytes) {
 }  // namespace
 
 QString writeScenePicture(const QString& file, const std::vector<const core::Run*>& runs,
-                          double time, QSize size, const Trails* trails) {
+                          double time, QSize size, const Trails* trails,
+                          const ShownTarget* target) {
   ShownScene shown = shownScene(runs);
   readWeights(runs, time, shown);
+  if (target) shown.target = *target;
   const auto picture = [&](double devicePixelRatio) {
     return pictureOf(shown, trails ? *trails : Trails(), size, devicePixelRatio);
   };

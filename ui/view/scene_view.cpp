@@ -38,7 +38,9 @@ class SceneView::Content {
   void setRuns(std::vector<const core::Run*> runs, std::size_t firstPlace) {
     const QSizeF before = roomSize(m_shown);
     m_runs = std::move(runs);
-    m_shown = shownScene(m_runs, firstPlace);
+    ShownScene next = shownScene(m_runs, firstPlace);
+    next.target.swap(m_shown.target);
+    m_shown = std::move(next);
     m_trails.reset(static_cast<int>(m_runs.size()), static_cast<int>(m_shown.colors.size()),
                    trailSpan(m_shown.scene));
     m_trails.record(m_shown.time, m_shown.runs);
@@ -59,6 +61,14 @@ class SceneView::Content {
     if (step) m_shown.step = *step;
     repaint();
   }
+
+  void setTarget(const std::optional<ShownTarget>& target) {
+    if (!target && !m_shown.target) return;
+    m_shown.target = target;
+    repaint();
+  }
+
+  const ShownScene& shown() const { return m_shown; }
 
   void clearTrails() {
     m_trails.clear();
@@ -222,6 +232,16 @@ void SceneView::showTime(double time) {
 }
 void SceneView::showStep(const ShownStep* step) {
   m_content->showStep(step);
+}
+void SceneView::setTarget(const std::optional<ShownTarget>& target) {
+  m_content->setTarget(target);
+}
+const ShownTarget* SceneView::target() const {
+  const std::optional<ShownTarget>& target = m_content->shown().target;
+  return target ? &*target : nullptr;
+}
+const core::Room& SceneView::room() const {
+  return m_content->shown().scene.room;
 }
 void SceneView::clearTrails() {
   m_content->clearTrails();

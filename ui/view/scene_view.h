@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QString>
@@ -10,13 +11,15 @@
 
 namespace core {
 class Run;
-}
+struct Room;
+}  // namespace core
 
 namespace ui {
 
 class Camera;
 class Trails;
 struct ShownStep;
+struct ShownTarget;
 
 /// Which painter draws the scene.
 enum class PainterChoice {
@@ -53,6 +56,13 @@ class SceneView : public QWidget {
 
   /// Opens up a step of one weight over the scene; null: none.
   void showStep(const ShownStep* step);
+
+  /// Shows a target on the floor; nothing: none.
+  void setTarget(const std::optional<ShownTarget>& target);
+  /// Null while none is shown.
+  const ShownTarget* target() const;
+  /// Of the scene that is shown.
+  const core::Room& room() const;
 
   void setPainterChoice(PainterChoice choice);
   /// The part of the room that is seen.

@@ -10,6 +10,7 @@
 #include "core/run/run.h"
 #include "core/scene/scene.h"
 #include "ui/view/shown_step.h"
+#include "ui/view/shown_target.h"
 
 namespace ui {
 
@@ -27,6 +28,7 @@ struct ShownScene {
   double time = 0;             ///< [s]
   std::vector<ShownRun> runs;  ///< the first is drawn filled, the others as outlines
   std::optional<ShownStep> step = std::nullopt;  ///< opened up
+  std::optional<ShownTarget> target = std::nullopt;
 };
 
 /// The scene of these runs, with their names, each as it stands now.

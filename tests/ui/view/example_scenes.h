@@ -51,6 +51,7 @@ inline ui::ShownScene everything(ui::Trails& trails) {
       run.weights[i].phase = i == 2 ? core::Phase::kSlack : core::Phase::kTethered;
   }
   shown.scene.weights[6].radius = 0.3;
+  shown.target = {{3, 0.4}, {ui::ShownLanding{3.05, 1}, std::nullopt}};
   shown.colors = {0xffe69f00, 0xff56b4e9, 0xff009e73, 0xfff0e442,
                   0xff0072b2, 0xffd55e00, 0xff000000};
   trails.reset(2, 7, 2);
