@@ -99,6 +99,7 @@ void ComparisonPanel::buildTable() {
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setSelectionMode(QAbstractItemView::NoSelection);
   m_table->setFocusPolicy(Qt::TabFocus);
+  m_table->setTabKeyNavigation(false);  // Tab leaves it again
   m_table->setFrameShape(QFrame::NoFrame);
   fitToFont();
 }

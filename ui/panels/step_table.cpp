@@ -78,6 +78,7 @@ StepTable::StepTable(QWidget* parent) : QTableWidget(parent) {
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setSelectionMode(QAbstractItemView::NoSelection);
   setFocusPolicy(Qt::TabFocus);
+  setTabKeyNavigation(false);  // Tab leaves it again
   setFrameShape(QFrame::NoFrame);
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
