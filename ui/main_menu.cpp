@@ -23,6 +23,7 @@ MainMenu::MainMenu(QMenuBar* bar, const Commands& commands) : QObject(bar) {
   addEditMenu(bar, commands);
   addRunMenu(bar, commands);
   addViewMenu(bar, commands);
+  addWeightMenu(bar, commands);
   addChartMenu(bar, commands);
   addHelpMenu(bar, commands);
   addButtons(bar, commands);
@@ -48,6 +49,7 @@ void MainMenu::addButtons(QMenuBar* bar, const Commands& commands) {
 void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* file = bar->addMenu(tr("&File"));
   addCommands(file, commands, {Command::kNew, Command::kOpen, Command::kLessons});
+  m_recent = file->addMenu(tr("Open &recent"));
   m_scenes = file->addMenu(tr("&Built-in scenes"));
   m_scenes->setToolTipsVisible(true);
   connect(m_scenes, &QMenu::aboutToShow, this, &MainMenu::listBuiltInScenes);
@@ -63,6 +65,8 @@ void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
 void MainMenu::addEditMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* edit = bar->addMenu(tr("&Edit"));
   addCommands(edit, commands, {Command::kUndo, Command::kRedo});
+  edit->addSeparator();
+  addCommands(edit, commands, {Command::kWeightsTable});
 }
 
 void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {
@@ -95,9 +99,29 @@ void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {
   m_panels = m_view->addMenu(tr("&Panels"));
   m_view->addSeparator();
   addCommands(m_view, commands,
-              {Command::kSplit, Command::kTrails, Command::kTarget, Command::kLessonText,
-               Command::kFit, Command::kZoomIn, Command::kZoomOut, Command::kPresent});
+              {Command::kSplit, Command::kTrails, Command::kVelocities, Command::kForces,
+               Command::kTensions, Command::kTarget});
+  addCommands(m_view->addMenu(tr("&Measure")), commands,
+              {Command::kTape, Command::kProtractor, Command::kNextToolPart, Command::kStopwatch,
+               Command::kStartStopwatch, Command::kZeroStopwatch});
   m_view->addSeparator();
+  addCommands(m_view, commands,
+              {Command::kFit, Command::kZoomIn, Command::kZoomOut, Command::kLessonText,
+               Command::kPresent});
+  m_view->addSeparator();
+}
+
+void MainMenu::addWeightMenu(QMenuBar* bar, const Commands& commands) {
+  QMenu* weight = bar->addMenu(tr("&Weight"));
+  addCommands(weight, commands,
+              {Command::kNextWeight, Command::kPreviousWeight, Command::kDeselect});
+  weight->addSeparator();
+  addCommands(weight, commands,
+              {Command::kMoveLeft, Command::kMoveRight, Command::kMoveUp, Command::kMoveDown});
+  weight->addSeparator();
+  addCommands(weight, commands,
+              {Command::kAccelerateLeft, Command::kAccelerateRight, Command::kAccelerateUp,
+               Command::kAccelerateDown});
 }
 
 void MainMenu::addChartMenu(QMenuBar* bar, const Commands& commands) {

@@ -4,21 +4,29 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScreen>
 #include <QShowEvent>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "ui/control/commands.h"
+#include "ui/control/draft_keeper.h"
 #include "ui/control/event_navigator.h"
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
 #include "ui/control/lesson_guide.h"
 #include "ui/control/presentation.h"
+#include "ui/control/problem_words.h"
+#include "ui/control/recent_files.h"
+#include "ui/control/recovery.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
+#include "ui/control/scene_commands.h"
+#include "ui/control/scene_drop.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
 #include "ui/control/scene_target.h"
@@ -39,18 +47,20 @@
 #include "ui/panels/panel_title.h"
 #include "ui/panels/playback_bar.h"
 #include "ui/panels/presentation_header.h"
-#include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/scene_toolbar.h"
 #include "ui/panels/selection_links.h"
 #include "ui/panels/step_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/panels/trade_window.h"
 #include "ui/panels/travel_bar.h"
 #include "ui/panels/weights_form.h"
+#include "ui/panels/weights_table.h"
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
 #include "ui/view/scene_area.h"
+#include "ui/window_memory.h"
 
 namespace ui {
 namespace {
@@ -97,23 +107,46 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectTarget();
   startScene();
   showTitle();
+  memory().restore();
 }
 
 MainWindow::~MainWindow() = default;
 
+WindowMemory MainWindow::memory() {
+  return {this, *m_commands, m_controller, m_charts};
+}
+
+void MainWindow::keepDraftsIn(const QString& folder) {
+  m_drafts = new DraftKeeper(m_editor, folder, DraftKeeper::kUsualDelay, this);
+  auto* recovery = new Recovery(m_editor, m_files, m_drafts, folder, this);
+  connect(m_drafts, &DraftKeeper::failed, this, [this](const QString& reason) {
+    statusBar()->showMessage(tr("Unsaved changes cannot be kept for a crash: %1").arg(reason));
+  });
+  connect(recovery, &Recovery::offered, m_recoveryBar, &MessageBar::say);
+  connect(m_recoveryBar, &MessageBar::accepted, recovery, &Recovery::bringBack);
+  connect(m_recoveryBar, &MessageBar::otherAccepted, recovery, &Recovery::discard);
+  recovery->start();
+}
+
 void MainWindow::buildCentre() {
+  m_recoveryBar = new MessageBar(tr("Bring them back"), tr("Discard"));
   m_problemBar = new MessageBar(tr("Undo the change"));
   m_stopBar = new MessageBar;
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  layout->addWidget(m_recoveryBar);
   layout->addWidget(m_problemBar);
   layout->addWidget(m_stopBar);
   m_header = new PresentationHeader;
   m_timeline = new Timeline(m_controller, m_events);
+  m_tools = sceneToolbar(*m_commands);
   layout->addWidget(m_header);
-  layout->addWidget(m_view, 1);
+  auto* bench = new QHBoxLayout;
+  bench->addWidget(m_tools);
+  bench->addWidget(m_view, 1);
+  layout->addLayout(bench, 1);
   layout->addWidget(m_timeline);
   layout->addWidget(m_playback);
   setCentralWidget(centre);
@@ -149,6 +182,10 @@ void MainWindow::buildPanels() {
   auto* eventsPanel = new EventsPanel(m_controller, m_events);
   QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
   linkSelection(m_selection, m_editor, {weightsForm, step, m_charts, eventsPanel});
+  auto* table = new WeightsTable(m_editor, m_selection);
+  QDockWidget* tableDock =
+      addPanel(Qt::BottomDockWidgetArea, "weightsTable", tr("Weights table"), table);
+  tabifyDockWidget(opened, tableDock);
   tabifyDockWidget(lesson, scene);
   tabifyDockWidget(scene, weights);
   tabifyDockWidget(charts, events);
@@ -156,6 +193,14 @@ void MainWindow::buildPanels() {
   for (QDockWidget* dock : {lesson, scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
   charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
+  tableDock->setTitleBarWidget(new PanelTitle(tableDock, table->buttons()));
+  const QAction* showTable = m_commands->action(Command::kWeightsTable);
+  connect(showTable, &QAction::triggered, this, [tableDock, table] {
+    tableDock->show();
+    tableDock->raise();
+    table->takeKeyboard();
+  });
+  connect(weightsForm, &WeightsForm::tableWanted, showTable, &QAction::trigger);
   events->setTitleBarWidget(new PanelTitle(events, eventsPanel->filters()));
   scene->raise();
   charts->raise();
@@ -185,6 +230,12 @@ QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,
   dock->setObjectName(name);
   dock->setWidget(content);
   addDockWidget(area, dock);
+  // Qt leaves panels that stand behind another tab visible, out of sight: hidden they need not
+  // compute what they show, which saves a few ms in every frame of 10,000 weights.
+  QSizePolicy policy = content->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  content->setSizePolicy(policy);
+  connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
   return dock;
 }
 
@@ -213,6 +264,7 @@ void MainWindow::buildMenus() {
 
 void MainWindow::buildStatusBar() {
   m_painterLabel = new QLabel;
+  m_painterLabel->setObjectName("painter");
   m_painterLabel->setContentsMargins(0, 0, 8, 0);
   statusBar()->addPermanentWidget(new TravelBar(m_controller));
   statusBar()->addPermanentWidget(m_painterLabel);
@@ -237,6 +289,8 @@ void MainWindow::connectPlayback() {
   connect(m_controller, &RunController::playingChanged, m_commands, &Commands::showPlaying);
   connect(m_controller, &RunController::speedChanged, m_playback, &PlaybackBar::showSpeed);
   connect(m_controller, &RunController::timeShown, this, &MainWindow::showTime);
+  connect(m_controller, &RunController::framePassed, this,
+          [this] { m_playback->showKeptShare(m_controller->keptShare()); });
   connect(m_controller, &RunController::runStatusChanged, this, &MainWindow::showStopped);
   connect(m_controller, &RunController::canCutChanged, m_commands->action(Command::kCut),
           &QAction::setEnabled);
@@ -271,6 +325,8 @@ void MainWindow::connectFiles() {
   on(Command::kMeasure, this, &MainWindow::showTrade);
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
+  new RecentFiles(m_files, m_menu->recentFiles());
+  new SceneDrop(m_files, this);
   connect(m_menu, &MainMenu::builtInChosen, m_files, &SceneFiles::openBuiltIn);
   connect(m_menu, &MainMenu::ledgerChosen, m_exports, &Exports::askAndSaveLedger);
 
@@ -279,6 +335,7 @@ void MainWindow::connectFiles() {
   connect(new UndoCommands(*m_commands, m_editor, this), &UndoCommands::done, this, say);
   connect(m_events, &EventNavigator::nothingFound, this, say);
   connect(findChild<EventsPanel*>(), &EventsPanel::done, this, say);
+  connect(findChild<WeightsTable*>(), &WeightsTable::done, this, say);
   connect(m_exports, &Exports::done, this, say);
   connect(m_editor, &SceneEditor::fileChanged, this, &MainWindow::showTitle);
   connect(m_editor, &SceneEditor::sceneReplaced, this, &MainWindow::showTitle);
@@ -293,6 +350,14 @@ void MainWindow::connectView() {
   connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneArea::zoomIn);
   connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneArea::zoomOut);
   connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
+  connect(m_view, &SceneArea::trailsChanged, this, &MainWindow::showPainter);
+  m_hand = new SceneCommands(*m_commands, {m_editor, m_selection, m_controller, m_view}, this);
+  m_exports->setPictured([this] {
+    return PicturedMarks{m_hand->marks(), m_view->trails(), m_target->shown()};
+  });
+  connect(m_hand, &SceneCommands::draggingChanged, this, &MainWindow::showProblems);
+  connect(m_hand, &SceneCommands::said, statusBar(),
+          [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); });
   m_view->setPainterChoice(Settings().painter());
   showPainter();
 }
@@ -305,12 +370,11 @@ void MainWindow::preparePresentation() {
                                                   .charts = findChild<QDockWidget*>("charts"),
                                                   .header = m_header,
                                                   .scene = m_view,
-                                                  .controls = {m_timeline, m_playback}});
+                                                  .controls = {m_timeline, m_playback, m_tools}});
 }
 
 void MainWindow::connectTarget() {
   m_target = new TargetControl(*m_commands, m_controller, m_editor, m_view, this);
-  m_exports->setTarget([this] { return m_target->shown(); });
   // None selected: the one before stays.
   connect(m_selection, &Selection::weightSelected, m_target->target(), &SceneTarget::setWeight);
   connect(m_commands->action(Command::kWhenToCut), &QAction::triggered, this,
@@ -339,6 +403,7 @@ void MainWindow::showStopped() {
 }
 
 void MainWindow::showProblems() {
+  if (m_hand->isDragging()) return;
   const auto& problems = m_editor->problems();
   m_problemBar->say(problems.empty() ? QString()
                                      : tr("Not applied: %1").arg(problemWords(problems)));
@@ -351,7 +416,10 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::showPainter() {
-  m_painterLabel->setText(tr("Drawn by %1").arg(m_view->painterDescription()));
+  QStringList words{tr("Drawn by %1").arg(m_view->painterDescription())};
+  const QString trails = m_view->trailsDescription();
+  if (!trails.isEmpty()) words.prepend(trails);
+  m_painterLabel->setText(words.join(QStringLiteral(" · ")));
 }
 
 void MainWindow::changeSpeed(int steps) {
@@ -373,8 +441,10 @@ void MainWindow::showWhenToCut() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(m_files->mayLeaveScene());
-  if (event->isAccepted()) m_presentation->setOn(false);
-  if (event->isAccepted()) Settings().setPanels(saveState());
+  if (!event->isAccepted()) return;
+  m_presentation->setOn(false);
+  memory().save();
+  if (m_drafts) m_drafts->letGo();
 }
 
 }  // namespace ui

@@ -43,6 +43,9 @@ constexpr Look kLooks[] = {
     {Command::kRedo, QT_TRANSLATE_NOOP("ui::Commands", "&Redo"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Make the change again that was taken back last"), "redo",
      "Ctrl+Shift+Z"},
+    {Command::kWeightsTable, QT_TRANSLATE_NOOP("ui::Commands", "&Weights table"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "All weights in a table, to be changed many at once"),
+     "table", "Ctrl+T"},
     {Command::kPlay, QT_TRANSLATE_NOOP("ui::Commands", "&Play"),
      QT_TRANSLATE_NOOP("ui::Commands", "Play"),
      QT_TRANSLATE_NOOP("ui::Commands", "Let time pass, or stop it"), "play", "Space"},
@@ -110,6 +113,31 @@ constexpr Look kLooks[] = {
      "when-to-cut", "W"},
     {Command::kTrails, QT_TRANSLATE_NOOP("ui::Commands", "&Trails"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show where the weights have just been"), "trails", "T"},
+    {Command::kVelocities, QT_TRANSLATE_NOOP("ui::Commands", "V&elocities"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show how fast the weights move, and where to, as arrows"),
+     "velocities", "Shift+V"},
+    {Command::kForces, QT_TRANSLATE_NOOP("ui::Commands", "Fo&rces"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show gravity, air drag and the pull of the rope as arrows"),
+     "forces", "Shift+F"},
+    {Command::kTensions, QT_TRANSLATE_NOOP("ui::Commands", "Te&nsions"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show in newtons how hard each rope pulls"), "tensions",
+     "Shift+T"},
+    {Command::kTape, QT_TRANSLATE_NOOP("ui::Commands", "&Ruler"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Measure a length in the scene"), "tape", "D"},
+    {Command::kProtractor, QT_TRANSLATE_NOOP("ui::Commands", "&Protractor"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Measure an angle in the scene"), "protractor", "A"},
+    {Command::kStopwatch, QT_TRANSLATE_NOOP("ui::Commands", "&Stopwatch"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Measure simulated time"), "stopwatch", "K"},
+    {Command::kStartStopwatch, QT_TRANSLATE_NOOP("ui::Commands", "S&tart or stop the stopwatch"),
+     "", QT_TRANSLATE_NOOP("ui::Commands", "Start the stopwatch at the moment shown, or stop it"),
+     "", "S"},
+    {Command::kZeroStopwatch, QT_TRANSLATE_NOOP("ui::Commands", "Stopwatch to &zero"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Set the stopwatch back to zero"), "", "Shift+S"},
+    {Command::kNextToolPart, QT_TRANSLATE_NOOP("ui::Commands", "&Next handle"), "",
+     QT_TRANSLATE_NOOP("ui::Commands",
+                       "Choose what Alt and the arrow keys move: an end of the ruler, an arm of "
+                       "the protractor …"),
+     "", "H"},
     {Command::kTarget, QT_TRANSLATE_NOOP("ui::Commands", "Tar&get"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show a target on the floor; drag it to where it shall be"),
      "target", "G"},
@@ -122,6 +150,43 @@ constexpr Look kLooks[] = {
     {Command::kZoomIn, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &in"), "", "", "zoom-in", "Ctrl++"},
     {Command::kZoomOut, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &out"), "", "", "zoom-out",
      "Ctrl+-"},
+    {Command::kNextWeight, QT_TRANSLATE_NOOP("ui::Commands", "&Next weight"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Select the next weight"), "", "N"},
+    {Command::kPreviousWeight, QT_TRANSLATE_NOOP("ui::Commands", "&Previous weight"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Select the weight before"), "", "Shift+N"},
+    {Command::kDeselect, QT_TRANSLATE_NOOP("ui::Commands", "Select n&one"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Select no weight and no handle any more"), "", "Escape"},
+    {Command::kMoveLeft, QT_TRANSLATE_NOOP("ui::Commands", "Move &left"), "",
+     QT_TRANSLATE_NOOP(
+         "ui::Commands",
+         "Turn the rope of the selected weight to the left, or move the weight or handle"),
+     "", "Alt+Left"},
+    {Command::kMoveRight, QT_TRANSLATE_NOOP("ui::Commands", "Move &right"), "",
+     QT_TRANSLATE_NOOP(
+         "ui::Commands",
+         "Turn the rope of the selected weight to the right, or move the weight or handle"),
+     "", "Alt+Right"},
+    {Command::kMoveUp, QT_TRANSLATE_NOOP("ui::Commands", "Move &up"), "",
+     QT_TRANSLATE_NOOP("ui::Commands",
+                       "Shorten the rope of the selected weight, or move the weight or handle up"),
+     "", "Alt+Up"},
+    {Command::kMoveDown, QT_TRANSLATE_NOOP("ui::Commands", "Move &down"), "",
+     QT_TRANSLATE_NOOP(
+         "ui::Commands",
+         "Lengthen the rope of the selected weight, or move the weight or handle down"),
+     "", "Alt+Down"},
+    {Command::kAccelerateLeft, QT_TRANSLATE_NOOP("ui::Commands", "Faster l&eft"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Add to the speed of the selected weight towards the left"),
+     "", "Alt+Shift+Left"},
+    {Command::kAccelerateRight, QT_TRANSLATE_NOOP("ui::Commands", "Faster r&ight"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Add to the speed of the selected weight towards the right"),
+     "", "Alt+Shift+Right"},
+    {Command::kAccelerateUp, QT_TRANSLATE_NOOP("ui::Commands", "&Faster up"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Add to the speed of the selected weight upwards"), "",
+     "Alt+Shift+Up"},
+    {Command::kAccelerateDown, QT_TRANSLATE_NOOP("ui::Commands", "Fa&ster down"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Add to the speed of the selected weight downwards"), "",
+     "Alt+Shift+Down"},
     {Command::kPresent, QT_TRANSLATE_NOOP("ui::Commands", "&Present"),
      QT_TRANSLATE_NOOP("ui::Commands", "Present"),
      QT_TRANSLATE_NOOP("ui::Commands",
@@ -162,11 +227,11 @@ Commands::Commands(QObject* parent) : QObject(parent) {
     }
     m_actions[look.command] = action;
   }
-  action(Command::kSplit)->setCheckable(true);
-  action(Command::kTrails)->setCheckable(true);
-  action(Command::kTarget)->setCheckable(true);
-  action(Command::kLessonText)->setCheckable(true);
-  action(Command::kPresent)->setCheckable(true);
+  for (const Command toggle :
+       {Command::kSplit, Command::kTrails, Command::kVelocities, Command::kForces,
+        Command::kTensions, Command::kTape, Command::kProtractor, Command::kStopwatch,
+        Command::kTarget, Command::kLessonText, Command::kPresent})
+    action(toggle)->setCheckable(true);
   action(Command::kTrails)->setChecked(true);
   action(Command::kZoomIn)->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});
   action(Command::kRedo)->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});

@@ -56,6 +56,7 @@ class PlaybackBar : public QWidget {
   std::vector<QToolButton*> m_wordButtons;
   int m_widthWithWords = 0;  // [px]
   int m_leastWidth = 0;      // without words [px]
+  double m_speed = 1;
 };
 
 }  // namespace ui
