@@ -242,12 +242,14 @@ void ProjectorTest::everyCommandHasAKeyOrLetters() {
 void ProjectorTest::noTwoCommandsShareAKey() {
   const ShownWindow window;
   QHash<QString, QString> owners;
-  for (const QAction* action : window.commands().all())
+  for (const QAction* action : window.commands().all()) {
+    if (!action->isEnabled()) continue;  // Esc serves what is under way
     for (const QKeySequence& keys : action->shortcuts()) {
       const QString name = keys.toString();
       QVERIFY2(!owners.contains(name), qPrintable(name + ' ' + owners.value(name)));
       owners.insert(name, action->text());
     }
+  }
 }
 
 void ProjectorTest::everyControlIsReachedByTab() {
