@@ -58,6 +58,7 @@ constexpr double kPadding = 0.7;
 constexpr double kWidthBeside = 19;
 // Of a plot with its axes that has no line to spare, in the same unit.
 constexpr double kLow = 12;
+constexpr double kTooLow = 5;
 
 }  // namespace
 
@@ -129,14 +130,13 @@ QSizeF ChartFrame::plotSize() const {
 }
 
 void ChartFrame::layOut() {
-  const bool isBeside =
-      putHeadingBeside(HeadingDensity::kFull) || putHeadingBeside(HeadingDensity::kCompact);
-  if (isBeside) {
-    m_isLow = true;
-  } else {
-    const double left = m_chart->size().height() - putHeadingAbove();
-    m_isLow = left < kLow * m_look.font.pixelSize();
-  }
+  m_isLow = true;
+  if (putHeadingBeside(HeadingDensity::kFull) || putHeadingBeside(HeadingDensity::kCompact)) return;
+  const int em = m_look.font.pixelSize();
+  const double left = m_chart->size().height() - putHeadingAbove();
+  m_isLow = left < kLow * em;
+  // The scene tells the runs, too.
+  if (left < kTooLow * em && !putHeadingBeside(HeadingDensity::kLegend)) putHeadingAbove();
 }
 
 /// Where the chart is wide and low its height belongs to the plot.

@@ -51,7 +51,7 @@ double ChartHeading::layOut(double width, HeadingDensity density) {
   placeText(m_content.title, titleFont, m_look.theme.text);
   placeText(m_content.note, m_look.font, m_look.theme.faintText);
   placeLegend();
-  placeRuns();
+  if (density != HeadingDensity::kLegend) placeRuns();
   placeText(m_content.warning, m_look.font, m_look.theme.drift);
   update();
   return m_bounds.height();

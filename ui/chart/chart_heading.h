@@ -37,6 +37,7 @@ struct HeadingContent {
 enum class HeadingDensity {
   kFull,
   kCompact,  ///< rows close together; a run with figures goes by its mark and line alone
+  kLegend,   ///< rows close together; curves alone, no runs and no figures
 };
 
 /// What stands above the plot: title, legend, figures. A legend of our own because Qt's

@@ -34,7 +34,7 @@ constexpr double kPausePerWork = 4;
 constexpr double kLeastTime = 2;  // [s]
 // So that an update takes a small part of a 30th of a second, the scene the rest.
 constexpr std::size_t kMostPoints = 10000;
-constexpr QSize kLeastSize(360, 180);
+constexpr QSize kLeastSize(360, 140);
 
 constexpr double kWheelFactor = 1.2;  // for each notch
 constexpr double kKeyFactor = 1.5;

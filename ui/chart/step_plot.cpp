@@ -18,7 +18,7 @@ namespace ui {
 
 namespace {
 
-constexpr QSize kLeastSize(270, 160);
+constexpr QSize kLeastSize(270, 120);
 constexpr double kArrowShare = 0.35;  // of the step that an arrow spans where there are several
 constexpr double kShaft = 2.5;        // [px]
 constexpr double kHead = 10;          // [px]

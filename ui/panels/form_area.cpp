@@ -10,7 +10,7 @@ namespace ui {
 namespace {
 
 // Of the screen that a form may insist on.
-constexpr double kMostWidth = 0.38;
+constexpr double kMostWidth = 0.43;
 constexpr double kMostHeight = 0.36;
 
 }  // namespace

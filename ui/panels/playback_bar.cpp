@@ -28,6 +28,7 @@ constexpr double kMostlyKept = 0.97;  // of the speed: less is noticed and shown
 constexpr double kLeastPace = 0.01;   // of real time: less is as good as standing still
 constexpr QSize kIconSize(26, 26);
 constexpr int kSliderWidth = 120;  // px
+constexpr int kSpacing = 12;       // px
 
 int exponentOf(double speed) {
   return std::clamp(static_cast<int>(std::lround(std::log2(speed))), kSlowest, kFastest);
@@ -64,7 +65,7 @@ PlaybackBar::PlaybackBar(const Commands& commands, QWidget* parent)
       m_paceLabel(new QLabel) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 16, 2);
-  layout->setSpacing(12);
+  layout->setSpacing(kSpacing);
   layout->addWidget(buttons(commands));
   layout->addWidget(speedBox());
   layout->addStretch(1);
@@ -75,6 +76,7 @@ PlaybackBar::PlaybackBar(const Commands& commands, QWidget* parent)
   measure();
 }
 
+/// With the pace, whether it is shown now or not.
 int PlaybackBar::widthWith(Qt::ToolButtonStyle style) {
   for (QToolButton* button : m_wordButtons) button->setToolButtonStyle(style);
   for (const QObject* child : children()) {
@@ -83,21 +85,30 @@ int PlaybackBar::widthWith(Qt::ToolButtonStyle style) {
     if (box && box->layout()) box->layout()->activate();
   }
   layout()->activate();
-  return layout()->totalMinimumSize().width();
+  const int width = layout()->totalMinimumSize().width();
+  return m_paceLabel->isHidden() ? width + m_paceLabel->minimumWidth() + kSpacing : width;
 }
 
 void PlaybackBar::measure() {
-  m_paceLabel->setMinimumWidth(m_paceLabel->fontMetrics().horizontalAdvance(slowText(0.24)));
-  m_leastWidth = widthWith(Qt::ToolButtonIconOnly);
+  const int paceWidth = m_paceLabel->fontMetrics().horizontalAdvance(slowText(0.24));
+  for (QLabel* label : {m_paceLabel, m_speedLabel}) label->setMinimumWidth(paceWidth);
+  // What is resized by this must not choose yet.
+  m_isMeasuring = true;
+  m_widthWithPace = widthWith(Qt::ToolButtonIconOnly);
+  m_leastWidth = m_widthWithPace - paceWidth - kSpacing;
   m_widthWithWords = widthWith(Qt::ToolButtonTextBesideIcon);
+  m_isMeasuring = false;
   updateGeometry();
   chooseStyle();
 }
 
 void PlaybackBar::chooseStyle() {
+  if (m_isMeasuring) return;
   const bool fits = width() >= m_widthWithWords;
   const auto style = fits ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
   for (QToolButton* button : m_wordButtons) button->setToolButtonStyle(style);
+  m_paceLabel->setVisible(width() >= m_widthWithPace);
+  showWords();
 }
 
 QSize PlaybackBar::minimumSizeHint() const {
@@ -159,7 +170,7 @@ QWidget* PlaybackBar::timeBox() {
   auto* box = new QWidget;
   auto* layout = new QHBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(12);
+  layout->setSpacing(kSpacing);
   m_timeLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_timeLabel->setAccessibleName(tr("Simulated time"));
   m_paceLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -177,14 +188,24 @@ void PlaybackBar::showTime(double time) {
 void PlaybackBar::showSpeed(double speed) {
   const QSignalBlocker quiet(m_speedSlider);
   m_speedSlider->setValue(exponentOf(speed));
-  m_speedLabel->setText(tr("Speed %1").arg(speedText(speed)));
   m_speed = speed;
+  showWords();
 }
 
 void PlaybackBar::showKeptShare(double keptShare) {
-  const QString text =
-      keptShare >= kMostlyKept ? tr("in real time") : slowText(keptShare * m_speed);
-  if (text != m_paceLabel->text()) m_paceLabel->setText(text);
+  m_keptShare = keptShare;
+  showWords();
+}
+
+void PlaybackBar::showWords() {
+  const auto say = [](QLabel* label, const QString& words) {
+    if (words != label->text()) label->setText(words);
+  };
+  const bool isKept = m_keptShare >= kMostlyKept;
+  const QString slow = slowText(m_keptShare * m_speed);
+  const bool hasPlace = !m_paceLabel->isHidden();
+  say(m_paceLabel, isKept ? tr("in real time") : slow);
+  say(m_speedLabel, isKept || hasPlace ? tr("Speed %1").arg(speedText(m_speed)) : slow);
 }
 
 double PlaybackBar::speedBeside(double speed, int steps) const {

@@ -13,7 +13,8 @@ namespace ui {
 class Commands;
 
 /// Buttons for playing, the speed, and the simulated time in digits that can be read from
-/// the back row. Where there is no room for words its buttons are icons alone.
+/// the back row. Where there is no room for words its buttons are icons alone, and how far real
+/// time is missed stands in the place of the speed.
 class PlaybackBar : public QWidget {
   Q_OBJECT
 
@@ -46,6 +47,7 @@ class PlaybackBar : public QWidget {
   QWidget* speedBox();
   QWidget* timeBox();
   int widthWith(Qt::ToolButtonStyle style);
+  void showWords();
   void measure();
   void chooseStyle();
 
@@ -55,8 +57,11 @@ class PlaybackBar : public QWidget {
   QLabel* m_paceLabel;
   std::vector<QToolButton*> m_wordButtons;
   int m_widthWithWords = 0;  // [px]
-  int m_leastWidth = 0;      // without words [px]
+  int m_widthWithPace = 0;   // without words on buttons [px]
+  int m_leastWidth = 0;      // without the pace, too [px]
+  bool m_isMeasuring = false;
   double m_speed = 1;
+  double m_keptShare = 1;
 };
 
 }  // namespace ui

@@ -229,7 +229,7 @@ SceneView::SceneView(QWidget* parent)
       m_mouse(std::make_unique<SceneMouse>(this)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::ClickFocus);
-  setMinimumSize(240, 180);
+  setMinimumSize(240, 140);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Scene"));
 }
