@@ -14,7 +14,10 @@ namespace core {
 /// Every operation does to each number what it does to a double, so that a batch gives the
 /// bits of single weights. How many of the eight one instruction takes is for the processor
 /// the code is compiled for: see CORE_VECTOR_SPEED.
-class Lanes {
+///
+/// The alignment is said aloud: the compiler's own depends on the processor it compiles for,
+/// and a batch made by code for the least of them is read by code for the best.
+class alignas(64) Lanes {
  public:
   static constexpr int kCount = 8;
 
