@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/run/run.h"
-#include "tests/support/heap.h"
 #include "tests/support/crowd.h"
+#include "tests/support/heap.h"
 #include "tests/support/processor_time.h"
 
 using core::Run;
@@ -31,7 +31,8 @@ bool runUntil(Run& run, double time, double& overlap) {
 }
 
 bool report(int count, double seconds) {
-  Run run(std::make_shared<const core::Scene>(tests::crowd(count)), {.method = "rk4", .step = kStep});
+  Run run(std::make_shared<const core::Scene>(tests::crowd(count)),
+          {.method = "rk4", .step = kStep});
   const double start = tests::processorTime();
   double overlap = 0;
   const bool begun = runUntil(run, 1, overlap);

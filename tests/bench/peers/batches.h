@@ -8,9 +8,9 @@ namespace bench {
 /// What moves a batch of weights.
 enum class Motion { kFlight, kSwing };
 
-constexpr double kGravity = 9.81;     // [m/s²]
-constexpr double kBatchStep = 1e-4;   // [s]: so short that nothing decays while it is timed
-constexpr double kDrag = 0.0226;      // q [1/m], ropes are 1 m long
+constexpr double kGravity = 9.81;    // [m/s²]
+constexpr double kBatchStep = 1e-4;  // [s]: so short that nothing decays while it is timed
+constexpr double kDrag = 0.0226;     // q [1/m], ropes are 1 m long
 
 /// Where weight i of a batch starts: (x, y, v_x, v_y) [m, m/s], or (θ, –, ω, –) [rad, rad/s].
 inline std::array<double, 4> startOf(int i) {

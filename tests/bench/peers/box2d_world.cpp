@@ -1,6 +1,5 @@
-#include <numbers>
-
 #include <box2d/box2d.h>
+#include <numbers>
 
 #include "tests/bench/peers/discs.h"
 

@@ -1,7 +1,6 @@
+#include <chipmunk/chipmunk.h>
 #include <cmath>
 #include <limits>
-
-#include <chipmunk/chipmunk.h>
 
 #include "tests/bench/peers/discs.h"
 
@@ -71,13 +70,13 @@ class ChipmunkWorld : public DiscWorld {
     const cpVect corners[] = {cpv(left, bottom), cpv(right, bottom), cpv(right, top),
                               cpv(left, top)};
     for (int i = 0; i < 4; ++i)
-      add(scene, cpSegmentShapeNew(cpSpaceGetStaticBody(m_space), corners[i],
-                                   corners[(i + 1) % 4], kThickness));
+      add(scene, cpSegmentShapeNew(cpSpaceGetStaticBody(m_space), corners[i], corners[(i + 1) % 4],
+                                   kThickness));
   }
 
   void addDisc(const core::Scene& scene, const core::Weight& weight) {
-    cpBody* disc = cpSpaceAddBody(
-        m_space, cpBodyNew(weight.mass, std::numeric_limits<double>::infinity()));
+    cpBody* disc =
+        cpSpaceAddBody(m_space, cpBodyNew(weight.mass, std::numeric_limits<double>::infinity()));
     cpBodySetPosition(disc, cpv(weight.position.x(), weight.position.y()));
     cpBodySetVelocity(disc, cpv(weight.velocity.x(), weight.velocity.y()));
     m_discs.push_back(disc);

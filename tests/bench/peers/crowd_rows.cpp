@@ -1,7 +1,6 @@
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
+#include <malloc.h>
 #include <memory>
 #include <vector>
 
@@ -117,8 +116,8 @@ void printElasticRow() {
   row.isReached = errors[0] <= 1e-10;
   if (engines.size() > 1) {
     const auto best = std::min_element(errors.begin() + 1, errors.end()) - errors.begin();
-    row.peer = text("%.1e; ", errors[best]) + duration(figures[best].time) + ", " +
-               engines[best].name;
+    row.peer =
+        text("%.1e; ", errors[best]) + duration(figures[best].time) + ", " + engines[best].name;
     row.ratio = times(errors[best] / errors[0]);
   }
   print(row);

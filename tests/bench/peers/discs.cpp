@@ -10,13 +10,14 @@ namespace {
 class OurWorld : public DiscWorld {
  public:
   OurWorld(const core::Scene& scene, const WorldOptions& options)
-      : m_run(std::make_shared<const core::Scene>(scene),
-              {.method = "rk4", .step = options.step}) {}
+      : m_run(std::make_shared<const core::Scene>(scene), {.method = "rk4", .step = options.step}) {
+  }
 
   bool step() override {
     const bool runs = m_run.advance() == core::RunStatus::kRunning;
     for (const core::Event& event : m_run.stepEvents())
-      if (core::EventKind::kImpactFloor <= event.kind && event.kind <= core::EventKind::kImpactWeight)
+      if (core::EventKind::kImpactFloor <= event.kind &&
+          event.kind <= core::EventKind::kImpactWeight)
         ++m_impacts;
     return runs;
   }

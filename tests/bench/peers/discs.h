@@ -28,10 +28,10 @@ class DiscWorld {
 
 /// What may be chosen of an engine.
 struct WorldOptions {
-  double step = 1.0 / 60;    ///< [s]
-  bool mayRest = true;       ///< slow bounces end; false: none does, as e = 1 needs it
-  double slop = 1e-3;        ///< overlap that is left alone [m]; Chipmunk only
-  bool isHashed = false;     ///< spatial hash in place of a tree; Chipmunk only
+  double step = 1.0 / 60;  ///< [s]
+  bool mayRest = true;     ///< slow bounces end; false: none does, as e = 1 needs it
+  double slop = 1e-3;      ///< overlap that is left alone [m]; Chipmunk only
+  bool isHashed = false;   ///< spatial hash in place of a tree; Chipmunk only
 };
 
 using MakeWorld = std::unique_ptr<DiscWorld> (*)(const core::Scene&, const WorldOptions&);

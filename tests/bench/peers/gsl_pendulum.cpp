@@ -1,9 +1,8 @@
 #include <cmath>
 #include <cstdlib>
-#include <memory>
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
+#include <memory>
 
 #include "tests/bench/peers/pendulum.h"
 

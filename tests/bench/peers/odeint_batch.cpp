@@ -1,8 +1,7 @@
+#include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <memory>
 #include <vector>
-
-#include <boost/numeric/odeint.hpp>
 
 #include "core/motion/lanes.h"
 #include "tests/bench/peers/batches.h"

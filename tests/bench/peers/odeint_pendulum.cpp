@@ -1,7 +1,6 @@
 #include <array>
-#include <cmath>
-
 #include <boost/numeric/odeint.hpp>
+#include <cmath>
 
 #include "tests/bench/peers/pendulum.h"
 
@@ -44,10 +43,10 @@ void solveByRungeKutta(const Pendulum& pendulum, double rate, const Watch* watch
 }  // namespace
 
 std::vector<PendulumSolver> odeintSolvers() {
-  return {{"odeint rk4", false, false, solveByRungeKutta},
-          {"odeint dopri5", false, true, solveByTolerance<odeint::runge_kutta_dopri5<State>>},
-          {"odeint fehlberg78", false, true,
-           solveByTolerance<odeint::runge_kutta_fehlberg78<State>>}};
+  return {
+      {"odeint rk4", false, false, solveByRungeKutta},
+      {"odeint dopri5", false, true, solveByTolerance<odeint::runge_kutta_dopri5<State>>},
+      {"odeint fehlberg78", false, true, solveByTolerance<odeint::runge_kutta_fehlberg78<State>>}};
 }
 
 }  // namespace bench

@@ -10,11 +10,11 @@ namespace bench {
 
 /// A pendulum on a rod of 1 m, let go at rest.
 struct Pendulum {
-  double angle;                ///< at t = 0, from straight down [rad]
-  double drag;                 ///< κ = q L [-], see core/motion/swing.h
-  double pull = 9.81;          ///< g/L [1/s²]
-  double length = 1;           ///< L [m]
-  double until = 10;           ///< how long it is followed [s]
+  double angle;        ///< at t = 0, from straight down [rad]
+  double drag;         ///< κ = q L [-], see core/motion/swing.h
+  double pull = 9.81;  ///< g/L [1/s²]
+  double length = 1;   ///< L [m]
+  double until = 10;   ///< how long it is followed [s]
 };
 
 /// As a scene with nothing else in it.

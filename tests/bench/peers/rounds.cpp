@@ -1,7 +1,6 @@
 #include "tests/bench/peers/rounds.h"
 
 #include <algorithm>
-
 #include <benchmark/benchmark.h>
 
 #include "tests/support/processor_time.h"

@@ -5,7 +5,7 @@ namespace bench {
 /// Each prints its rows of the table; those whose packages were missing when the program was
 /// built are left out, or have no figure of that peer.
 
-void printMethodRows();    ///< one pendulum: per step, and to an accuracy
+void printMethodRows();   ///< one pendulum: per step, and to an accuracy
 void printBatchRows();    ///< many weights side by side
 void printContactRows();  ///< a ball that bounces, Galperin's billiard
 void printMemoryRows();

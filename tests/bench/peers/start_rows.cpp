@@ -1,12 +1,11 @@
+#include <chrono>
+#include <cstdlib>
 #include <fcntl.h>
+#include <optional>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <chrono>
-#include <cstdlib>
-#include <optional>
 #include <vector>
 
 #include "tests/bench/peers/rounds.h"

@@ -64,6 +64,7 @@ std::string text(const char* format, ...) {
 }
 
 std::string duration(double seconds) {
+  if (seconds < 1e-10) return text("%.1e s", seconds);
   if (seconds < 1e-6) return text("%.3g ns", seconds * 1e9);
   if (seconds < 1e-3) return text("%.3g µs", seconds * 1e6);
   if (seconds < 1) return text("%.3g ms", seconds * 1e3);

@@ -1,10 +1,11 @@
+#include "tests/support/billiard.h"
+
 #include <cmath>
 #include <memory>
 
 #include <QtTest>
 
 #include "core/run/run.h"
-#include "tests/support/billiard.h"
 
 using core::EventKind;
 using core::Run;
@@ -48,7 +49,8 @@ void BilliardTest::countsTheDigitsOfPi() {
       if (event.kind == EventKind::kImpactWeight || event.kind == EventKind::kImpactWest) ++counted;
   }
   QCOMPARE(counted, impacts);
-  QVERIFY(std::abs(run.weight(1).position.x() - tests::exactBilliardPlace(run.scene(), run.time())) < 1e-9);
+  QVERIFY(std::abs(run.weight(1).position.x() -
+                   tests::exactBilliardPlace(run.scene(), run.time())) < 1e-9);
   // Each impact rounds the light disc's energy once.
   QVERIFY(std::abs(run.energies().numericalDrift) < 1e-15 * impacts * run.startEnergy());
 }
