@@ -12,8 +12,6 @@
 #include "tests/bench/peers/rows.h"
 #include "tests/bench/peers/table.h"
 
-extern char** environ;  // NOLINT(readability-identifier-naming): POSIX
-
 namespace bench {
 namespace {
 
