@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -87,12 +88,20 @@ std::size_t cheapest(const std::vector<Candidate>& candidates, const std::vector
   return best;
 }
 
+/// Whether that library was there when the program was built.
+bool isThere(const std::string& other) {
+  const std::vector<PendulumSolver> all = allSolvers();
+  return std::ranges::any_of(
+      all, [&](const PendulumSolver& solver) { return solver.name.starts_with(other); });
+}
+
 /// Best of ours beside the best of each of the others, per simulated second.
 void printCostRows(const std::string& work, const Pendulum& pendulum,
                    const std::vector<Candidate>& candidates, const std::string& judgedBy) {
   const std::vector<Timing> timings = timedOn(pendulum, candidates);
   const std::size_t none = candidates.size(), ours = cheapest(candidates, timings, true, "");
   for (const char* other : {"odeint", "GSL"}) {
+    if (!isThere(other)) continue;
     const std::size_t peer = cheapest(candidates, timings, false, other);
     const bool isJudged = judgedBy == other;
     Row row{.work = work,

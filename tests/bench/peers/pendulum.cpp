@@ -146,7 +146,7 @@ std::vector<PendulumSolver> ourSolvers() {
 
 std::vector<PendulumSolver> allSolvers() {
   std::vector<PendulumSolver> all = ourSolvers();
-  const auto add = [&all](const std::vector<PendulumSolver>& others) {
+  [[maybe_unused]] const auto add = [&all](const std::vector<PendulumSolver>& others) {
     all.insert(all.end(), others.begin(), others.end());
   };
 #ifdef BENCH_ODEINT
