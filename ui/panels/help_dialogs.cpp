@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/control/commands.h"
+#include "ui/control/version.h"
 
 namespace ui {
 namespace {
@@ -85,7 +86,7 @@ void showAbout(QWidget* window) {
                 "and come to rest. Two numerical methods compute the same scene side by side, and "
                 "an energy ledger shows what each of them gets wrong.</p>"
                 "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-          .arg(QCoreApplication::applicationVersion()));
+          .arg(version()));
 }
 
 }  // namespace ui
