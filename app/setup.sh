@@ -17,10 +17,11 @@ build_packages=(
 # shellcheck disable=SC2034
 package_packages=(dpkg-dev file)
 
-# To test besides: a virtual screen, and what checks the files a desktop reads.
+# To test besides: a virtual screen, what checks the files a desktop reads, and shells.
 # shellcheck disable=SC2034
 test_packages=(
-  xvfb xauth desktop-file-utils appstream shared-mime-info groff-base "${package_packages[@]}"
+  xvfb xauth desktop-file-utils appstream shared-mime-info groff-base zsh fish
+  "${package_packages[@]}"
 )
 
 # To standard error: standard output is the program's.

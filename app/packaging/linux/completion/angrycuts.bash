@@ -3,15 +3,20 @@
 # Offers the words among its arguments that begin like $cur.
 _angrycuts_words() { mapfile -t COMPREPLY < <(compgen -W "$*" -- "$cur"); }
 
-# Offers folders, and files whose names match a pattern.
+# Offers folders, and files with one of the endings among its arguments.
 _angrycuts_files() {
+  local ending
   compopt -o filenames 2>/dev/null
-  mapfile -t COMPREPLY < <(compgen -d -- "$cur"; compgen -f -X "!$1" -- "$cur")
+  mapfile -t COMPREPLY < <({
+    compgen -d -- "$cur"
+    for ending in "$@"; do compgen -f -X "!*$ending" -- "$cur"; done
+  } | sort -u)
 }
 
+# Offers the words among its arguments, built-in scenes, and scene files.
 _angrycuts_scenes() {
   local -a files
-  _angrycuts_files '*.json'
+  _angrycuts_files .json
   files=("${COMPREPLY[@]}")
   _angrycuts_words "$* $("$program" scenes 2>/dev/null | cut -f 1)"
   COMPREPLY+=("${files[@]}")
@@ -23,9 +28,9 @@ _angrycuts_value() {
     --method) _angrycuts_words euler semi-implicit-euler rk4 dopri5 ;;
     --cut) _angrycuts_words never ;;
     --step | --tolerance | --until | --sample) ;;
-    --trajectory | --energy | --events | --csv) _angrycuts_files '*' ;;
-    --chart) _angrycuts_files '*.@(png|svg|pdf)' ;;
-    --export) _angrycuts_files '' ;;
+    --trajectory | --energy | --events | --csv) _angrycuts_files '' ;;
+    --chart) _angrycuts_files .png .svg .pdf ;;
+    --export) _angrycuts_files ;;
     *) return 1 ;;
   esac
 }

@@ -6,7 +6,12 @@ _angrycuts_scenes() {
   _alternative "scenes:built-in scene:($names)" 'files:scene file:_files -g "*.json"'
 }
 
+_angrycuts_first() {
+  _alternative 'commands:command:(scenes simulate measure)' 'scenes: :_angrycuts_scenes'
+}
+
 _angrycuts() {
+  local command=$words[2]
   local -a both
   both=(
     '--until[simulated time to reach]:seconds: '
@@ -16,11 +21,10 @@ _angrycuts() {
     ':scene:_angrycuts_scenes'
   )
   if ((CURRENT == 2)); then
-    _arguments '--help[every call and option]' '--version[the version]' \
-      ': :{ _alternative "commands:command:(scenes simulate measure)" "scenes: :_angrycuts_scenes" }'
+    _arguments '--help[every call and option]' '--version[the version]' ':scene:_angrycuts_first'
     return
   fi
-  local command=$words[2]
+  # The command takes the program's place.
   shift words
   ((CURRENT--))
   case $command in
