@@ -1,7 +1,9 @@
 #include "ui/main_menu.h"
 
 #include <QActionGroup>
+#include <QHBoxLayout>
 #include <QMenuBar>
+#include <QToolButton>
 
 #include "ui/control/commands.h"
 #include "ui/files/scene_file.h"
@@ -21,13 +23,32 @@ MainMenu::MainMenu(QMenuBar* bar, const Commands& commands) : QObject(bar) {
   addEditMenu(bar, commands);
   addRunMenu(bar, commands);
   addViewMenu(bar, commands);
+  addWeightMenu(bar, commands);
   addChartMenu(bar, commands);
   addHelpMenu(bar, commands);
+  addButtons(bar, commands);
+}
+
+/// At the right end of the menu bar: what begins a lesson, and what shows it large.
+void MainMenu::addButtons(QMenuBar* bar, const Commands& commands) {
+  auto* corner = new QWidget;
+  auto* layout = new QHBoxLayout(corner);
+  layout->setContentsMargins(0, 0, 8, 0);
+  layout->setSpacing(4);
+  for (const Command command : {Command::kLessons, Command::kPresent}) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(commands.action(command));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    layout->addWidget(button);
+  }
+  bar->setCornerWidget(corner);
 }
 
 void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* file = bar->addMenu(tr("&File"));
-  addCommands(file, commands, {Command::kNew, Command::kOpen});
+  addCommands(file, commands, {Command::kNew, Command::kOpen, Command::kLessons});
   m_scenes = file->addMenu(tr("&Built-in scenes"));
   m_scenes->setToolTipsVisible(true);
   connect(m_scenes, &QMenu::aboutToShow, this, &MainMenu::listBuiltInScenes);
@@ -75,9 +96,29 @@ void MainMenu::addViewMenu(QMenuBar* bar, const Commands& commands) {
   m_panels = m_view->addMenu(tr("&Panels"));
   m_view->addSeparator();
   addCommands(m_view, commands,
-              {Command::kSplit, Command::kTrails, Command::kTarget, Command::kFit, Command::kZoomIn,
-               Command::kZoomOut});
+              {Command::kSplit, Command::kTrails, Command::kVelocities, Command::kForces,
+               Command::kTensions, Command::kTarget});
+  addCommands(m_view->addMenu(tr("&Measure")), commands,
+              {Command::kTape, Command::kProtractor, Command::kNextToolPart, Command::kStopwatch,
+               Command::kStartStopwatch, Command::kZeroStopwatch});
   m_view->addSeparator();
+  addCommands(m_view, commands,
+              {Command::kFit, Command::kZoomIn, Command::kZoomOut, Command::kLessonText,
+               Command::kPresent});
+  m_view->addSeparator();
+}
+
+void MainMenu::addWeightMenu(QMenuBar* bar, const Commands& commands) {
+  QMenu* weight = bar->addMenu(tr("&Weight"));
+  addCommands(weight, commands,
+              {Command::kNextWeight, Command::kPreviousWeight, Command::kDeselect});
+  weight->addSeparator();
+  addCommands(weight, commands,
+              {Command::kMoveLeft, Command::kMoveRight, Command::kMoveUp, Command::kMoveDown});
+  weight->addSeparator();
+  addCommands(weight, commands,
+              {Command::kAccelerateLeft, Command::kAccelerateRight, Command::kAccelerateUp,
+               Command::kAccelerateDown});
 }
 
 void MainMenu::addChartMenu(QMenuBar* bar, const Commands& commands) {

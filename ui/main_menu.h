@@ -39,8 +39,10 @@ class MainMenu : public QObject {
   void addRunMenu(QMenuBar* bar, const Commands& commands);
   void addGoToMenu(QMenu* menu, const Commands& commands);
   void addViewMenu(QMenuBar* bar, const Commands& commands);
+  void addWeightMenu(QMenuBar* bar, const Commands& commands);
   void addChartMenu(QMenuBar* bar, const Commands& commands);
   void addHelpMenu(QMenuBar* bar, const Commands& commands);
+  static void addButtons(QMenuBar* bar, const Commands& commands);
   void listBuiltInScenes();
 
   QMenu* m_scenes;

@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScreen>
@@ -11,14 +12,17 @@
 #include <QScrollBar>
 #include <QShowEvent>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "ui/control/commands.h"
 #include "ui/control/event_navigator.h"
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
+#include "ui/control/lesson_guide.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
+#include "ui/control/scene_commands.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
 #include "ui/control/scene_target.h"
@@ -33,12 +37,14 @@
 #include "ui/panels/cut_window.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/help_dialogs.h"
+#include "ui/panels/lesson_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/panel_title.h"
 #include "ui/panels/playback_bar.h"
 #include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/scene_toolbar.h"
 #include "ui/panels/selection_links.h"
 #include "ui/panels/step_panel.h"
 #include "ui/panels/timeline.h"
@@ -122,7 +128,10 @@ void MainWindow::buildCentre() {
   layout->setSpacing(0);
   layout->addWidget(m_problemBar);
   layout->addWidget(m_stopBar);
-  layout->addWidget(m_view, 1);
+  auto* bench = new QHBoxLayout;
+  bench->addWidget(sceneToolbar(*m_commands));
+  bench->addWidget(m_view, 1);
+  layout->addLayout(bench, 1);
   layout->addWidget(new Timeline(m_controller, m_events));
   layout->addWidget(m_playback);
   setCentralWidget(centre);
@@ -131,6 +140,10 @@ void MainWindow::buildCentre() {
 void MainWindow::buildPanels() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
+  auto* lessonPanel = new LessonPanel(*m_commands);
+  QDockWidget* lesson =
+      addPanel(Qt::LeftDockWidgetArea, "lesson", tr("Lesson"), scrolling(lessonPanel));
+  m_lessons = new LessonGuide(*m_commands, m_editor, m_files, lessonPanel, lesson, this);
   QDockWidget* scene =
       addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
   auto* weightsForm = new WeightsForm(m_editor);
@@ -155,10 +168,11 @@ void MainWindow::buildPanels() {
   auto* eventsPanel = new EventsPanel(m_controller, m_events);
   QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
   linkSelection(m_selection, m_editor, {weightsForm, step, m_charts, eventsPanel});
+  tabifyDockWidget(lesson, scene);
   tabifyDockWidget(scene, weights);
   tabifyDockWidget(charts, events);
   // Their tabs are their titles.
-  for (QDockWidget* dock : {scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
+  for (QDockWidget* dock : {lesson, scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
   charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
   events->setTitleBarWidget(new PanelTitle(events, eventsPanel->filters()));
@@ -178,8 +192,10 @@ void MainWindow::sizePanels() {
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (!event->spontaneous() && !m_panelsSized) sizePanels();
+  if (event->spontaneous() || m_panelsSized) return;
   m_panelsSized = true;
+  sizePanels();
+  m_lessons->begin();
 }
 
 QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,
@@ -188,6 +204,12 @@ QDockWidget* MainWindow::addPanel(Qt::DockWidgetArea area, const QString& name,
   dock->setObjectName(name);
   dock->setWidget(content);
   addDockWidget(area, dock);
+  // Qt leaves panels that stand behind another tab visible, out of sight: hidden they need not
+  // compute what they show, which saves a few ms in every frame of 10,000 weights.
+  QSizePolicy policy = content->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  content->setSizePolicy(policy);
+  connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
   return dock;
 }
 
@@ -211,6 +233,7 @@ void MainWindow::buildMenus() {
 
 void MainWindow::buildStatusBar() {
   m_painterLabel = new QLabel;
+  m_painterLabel->setObjectName("painter");
   m_painterLabel->setContentsMargins(0, 0, 8, 0);
   statusBar()->addPermanentWidget(new TravelBar(m_controller));
   statusBar()->addPermanentWidget(m_painterLabel);
@@ -235,6 +258,8 @@ void MainWindow::connectPlayback() {
   connect(m_controller, &RunController::playingChanged, m_commands, &Commands::showPlaying);
   connect(m_controller, &RunController::speedChanged, m_playback, &PlaybackBar::showSpeed);
   connect(m_controller, &RunController::timeShown, this, &MainWindow::showTime);
+  connect(m_controller, &RunController::framePassed, this,
+          [this] { m_playback->showKeptShare(m_controller->keptShare()); });
   connect(m_controller, &RunController::runStatusChanged, this, &MainWindow::showStopped);
   connect(m_controller, &RunController::canCutChanged, m_commands->action(Command::kCut),
           &QAction::setEnabled);
@@ -291,13 +316,20 @@ void MainWindow::connectView() {
   connect(m_commands->action(Command::kZoomIn), &QAction::triggered, m_view, &SceneArea::zoomIn);
   connect(m_commands->action(Command::kZoomOut), &QAction::triggered, m_view, &SceneArea::zoomOut);
   connect(m_view, &SceneArea::painterChanged, this, &MainWindow::showPainter);
+  connect(m_view, &SceneArea::trailsChanged, this, &MainWindow::showPainter);
+  m_hand = new SceneCommands(*m_commands, {m_editor, m_selection, m_controller, m_view}, this);
+  m_exports->setPictured([this] {
+    return PicturedMarks{m_hand->marks(), m_view->trails(), m_target->shown()};
+  });
+  connect(m_hand, &SceneCommands::draggingChanged, this, &MainWindow::showProblems);
+  connect(m_hand, &SceneCommands::said, statusBar(),
+          [this](const QString& words) { statusBar()->showMessage(words, kMessageTime); });
   m_view->setPainterChoice(Settings().painter());
   showPainter();
 }
 
 void MainWindow::connectTarget() {
   m_target = new TargetControl(*m_commands, m_controller, m_editor, m_view, this);
-  m_exports->setTarget([this] { return m_target->shown(); });
   // None selected: the one before stays.
   connect(m_selection, &Selection::weightSelected, m_target->target(), &SceneTarget::setWeight);
   connect(m_commands->action(Command::kWhenToCut), &QAction::triggered, this,
@@ -326,6 +358,7 @@ void MainWindow::showStopped() {
 }
 
 void MainWindow::showProblems() {
+  if (m_hand->isDragging()) return;
   const auto& problems = m_editor->problems();
   m_problemBar->say(problems.empty() ? QString()
                                      : tr("Not applied: %1").arg(problemWords(problems)));
@@ -338,7 +371,10 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::showPainter() {
-  m_painterLabel->setText(tr("Drawn by %1").arg(m_view->painterDescription()));
+  QStringList words{tr("Drawn by %1").arg(m_view->painterDescription())};
+  const QString trails = m_view->trailsDescription();
+  if (!trails.isEmpty()) words.prepend(trails);
+  m_painterLabel->setText(words.join(QStringLiteral(" · ")));
 }
 
 void MainWindow::changeSpeed(int steps) {

@@ -17,11 +17,13 @@ class CutWindow;
 class EventNavigator;
 class Exports;
 class FrameTicker;
+class LessonGuide;
 class MainMenu;
 class MessageBar;
 class PlaybackBar;
 class RunController;
 class SceneArea;
+class SceneCommands;
 class SceneEditor;
 class SceneFiles;
 class Selection;
@@ -90,9 +92,11 @@ class MainWindow : public QMainWindow {
 
   MainMenu* m_menu;
   SceneArea* m_view;
+  SceneCommands* m_hand = nullptr;
   TargetControl* m_target;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
+  LessonGuide* m_lessons;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;

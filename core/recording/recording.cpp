@@ -75,10 +75,13 @@ void Recording::forgetAfter(const Run& run) {
 }
 
 RunStatus Recording::advance(Run& run) {
-  if (run.advance() != RunStatus::kRunning) return run.status();
+  if (run.advance() == RunStatus::kRunning) completeStep(run);
+  return run.status();
+}
+
+void Recording::completeStep(Run& run) {
   record(run);
   repeatCuts(run);
-  return run.status();
 }
 
 void Recording::restore(Run& run, std::int64_t step) const {

@@ -35,6 +35,9 @@ class Recording {
   /// Takes the run's next step: again, with the cuts by hand that belong there, where it is
   /// recorded already; else anew, and records it.
   RunStatus advance(Run& run);
+  /// What advance() does after the run's step, for a step that was taken elsewhere.
+  /// @pre the run has just taken a step, from a recorded one
+  void completeStep(Run& run);
 
   /// Cuts ropes by hand and remembers it. Everything recorded after the run's present step
   /// is forgotten: the future is another one now.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace core {
 namespace {
@@ -71,7 +72,7 @@ RunStatus Engine::advance() {
   }
   settle(0, false);
   if (!m_diverged) scheduleAll();
-  if (m_diverged || !processEvents()) {
+  if (m_diverged || m_isGivenUp || !processEvents()) {
     abandonStep(m_stalled    ? RunStatus::kStalled
                 : m_diverged ? RunStatus::kDiverged
                              : RunStatus::kEndless);
@@ -81,8 +82,21 @@ RunStatus Engine::advance() {
   return m_status;
 }
 
+bool Engine::tryAdvance(const Run::StepProgress& progress) {
+  m_progress = progress ? &progress : nullptr;
+  advance();
+  m_progress = nullptr;
+  return !std::exchange(m_isGivenUp, false);
+}
+
+bool Engine::mayGoOn(double s) {
+  if (m_progress && !(*m_progress)(s / m_solver.step)) m_isGivenUp = true;
+  return !m_isGivenUp;
+}
+
 void Engine::beginStep() {
   m_before = m_now;
+  m_earlierEvents.swap(m_events);
   m_events.swap(m_now.pending);
   m_now.pending.clear();
   m_eventMoments.assign(m_events.size(), 0);
@@ -118,6 +132,7 @@ bool Engine::stepAll() {
   m_boxes.resize(m_bodies.size());
   for (int i = 0; i < static_cast<int>(m_bodies.size()); ++i) {
     const Piece& piece = m_moving[i].piece;
+    if (!mayGoOn(0)) return false;
     if (together ? !isFinite(i) : !fill(i)) return false;
     m_boxes[i] = boxOf(m_bodies[i], piece, piece.begin, piece.end);
   }
@@ -134,7 +149,7 @@ void Engine::scheduleAll() {
   }
   for (double s = boundaryAfter(0); s < m_solver.step; s = boundaryAfter(s))
     m_queue.push({s, -1, -1, Upcoming::Kind::kSettle, false, 0, 0});
-  for (int i = 0; i < static_cast<int>(m_bodies.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(m_bodies.size()) && mayGoOn(0); ++i) {
     scheduleOwn(i);
     m_broadPhase.forEachNear(m_boxes[i], [&](int other) {
       if (other > i) scheduleMeeting(i, other);
@@ -208,6 +223,7 @@ bool Engine::processEvents() {
   while (!m_queue.isEmpty()) {
     const Upcoming event = m_queue.pop();
     if (!isCurrent(event)) continue;
+    if (!mayGoOn(event.time)) return false;
     const bool isOwnStep = event.kind == Upcoming::Kind::kOwnStep;
     if (!isOwnStep && ++count > kMostEventsPerStep) return false;
     act(event);
@@ -233,6 +249,7 @@ void Engine::abandonStep(RunStatus status) {
   m_moving.clear();
   m_events.clear();
   m_quietLosses.clear();
+  if (m_isGivenUp) return m_events.swap(m_earlierEvents);
   m_status = status;
 }
 

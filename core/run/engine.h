@@ -44,6 +44,8 @@ class Engine {
   std::span<const Event> stepEvents() const { return m_events; }
 
   RunStatus advance();
+  bool tryAdvance(const Run::StepProgress& progress);
+  bool knowsLatestStep() const { return !m_moving.empty(); }
   void cutNow(int weight);  // −1: all
   bool allCut() const;
 
@@ -84,6 +86,8 @@ class Engine {
   bool processEvents();
   void finishStep();
   void abandonStep(RunStatus status);
+  /// Whether to go on with the step, which has come to s.
+  bool mayGoOn(double s);
   bool isCurrent(const Upcoming& event) const;
 
   // Pieces (engine_pieces.cpp).
@@ -201,11 +205,14 @@ class Engine {
   BroadPhase m_broadPhase;
   EventQueue m_queue;
   std::vector<Event> m_events;
+  std::vector<Event> m_earlierEvents;  // of the step before
   std::vector<QuietLoss> m_quietLosses;
   std::vector<double> m_eventMoments;  // of m_events, from the start of the step [s]
   std::int64_t m_ownSteps = 0;         // of adaptive methods, all weights together
   bool m_diverged = false;
   bool m_stalled = false;
+  const Run::StepProgress* m_progress = nullptr;  // null: nothing gives the step up
+  bool m_isGivenUp = false;
 };
 
 template <class Value>

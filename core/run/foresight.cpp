@@ -70,8 +70,16 @@ bool Foresight::isCoarse(const Body& body, const Piece& piece, double from, doub
   return turnWithin(piece, from, to) > kArc;
 }
 
+/// Two taut ropes on one pivot whose lengths keep the weights apart at any angles.
+bool Foresight::ropesKeepApart(const Body& a, const Piece& pieceA, const Body& b,
+                            const Piece& pieceB) const {
+  return isTethered(pieceA.mode) && isTethered(pieceB.mode) && a.pivot == b.pivot &&
+         std::abs(a.length - b.length) > a.radius + b.radius + m_tolerance.gap;
+}
+
 std::optional<Foresight::Moment> Foresight::meeting(const Body& a, const Piece& pieceA,
                                                     const Body& b, const Piece& pieceB) const {
+  if (ropesKeepApart(a, pieceA, b, pieceB)) return std::nullopt;
   return meetingBetween(a, pieceA, b, pieceB, std::max(pieceA.begin, pieceB.begin),
                         std::min(pieceA.end, pieceB.end));
 }

@@ -60,6 +60,7 @@ class Foresight {
   /// The path is not to be taken for the cubic through both ends.
   bool isCoarse(const Body& body, const Piece& piece, double from, double to) const;
   bool isInside(const Box& box) const;
+  bool ropesKeepApart(const Body& a, const Piece& pieceA, const Body& b, const Piece& pieceB) const;
   std::optional<Moment> meetingBetween(const Body& a, const Piece& pieceA, const Body& b,
                                        const Piece& pieceB, double from, double to) const;
   std::optional<WallMoment> wallBetween(const Body& body, const Piece& piece, double from,

@@ -56,6 +56,12 @@ RunStatus Run::status() const {
 RunStatus Run::advance() {
   return m_engine->advance();
 }
+bool Run::tryAdvance(const StepProgress& progress) {
+  return m_engine->tryAdvance(progress);
+}
+bool Run::knowsLatestStep() const {
+  return m_engine->knowsLatestStep();
+}
 void Run::cutAll() {
   m_engine->cutNow(-1);
 }
@@ -86,10 +92,10 @@ std::span<const Event> Run::stepEvents() const {
 std::vector<StepPart> Run::latestStep(int index) const {
   return m_engine->latestStep(index);
 }
-std::vector<StepPart> Run::nextStep(int index) const {
+std::vector<StepPart> Run::nextStep(int index, const StepProgress& progress) const {
   Engine ahead(m_engine->sharedScene(), solver());
   ahead.restore(m_engine->state());
-  ahead.advance();
+  ahead.tryAdvance(progress);
   return ahead.latestStep(index);
 }
 StepPart Run::retaken(int index, const StepPart& part, const Method& method) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -66,6 +67,16 @@ class Run {
   /// state, the time and the step count stay as they were before it.
   RunStatus advance();
 
+  /// Asked now and then inside a step, with the share of it that is done, 0 to 1. Returns false
+  /// to give the step up.
+  using StepProgress = std::function<bool(double share)>;
+  /// As advance(), but gives the step up once `progress` says so: the run then goes on from
+  /// where it stood, to the same bits. It no longer knows its latest step.
+  /// @return  false if the step was given up
+  bool tryAdvance(const StepProgress& progress);
+  /// Whether weightAt() knows more than the end of the latest step.
+  bool knowsLatestStep() const;
+
   /// Cuts all ropes now, between two steps. Logged with the events of the coming step.
   void cutAll();
   /// Cuts one weight loose now, between two steps.
@@ -93,8 +104,8 @@ class Run {
   /// divide it. None when no step was taken, or the run was just restored.
   std::vector<StepPart> latestStep(int index) const;
   /// The coming step likewise, with all that will happen in it; none if it fails. Takes the
-  /// step of the whole scene, for the answer alone.
-  std::vector<StepPart> nextStep(int index) const;
+  /// step of the whole scene, for the answer alone, unless `progress` gives it up.
+  std::vector<StepPart> nextStep(int index, const StepProgress& progress = {}) const;
   /// What another method makes of the same part of a step: from the same state, over the
   /// same time, with no event.
   /// @param method  offered to users

@@ -28,13 +28,17 @@ class StepClock {
 
   /// Tells how far the runs really came [s], at most the target.
   void reached(double time);
+  /// The same where a step still takes: the rest of the frame goes on, and counts with the next.
+  void wait(double time);
+  /// How long the frame has been going on for that reason [s].
+  double waited() const { return m_waited; }
 
   /// Time shown now [s].
   double time() const { return m_time; }
 
   /// How much of the wanted speed is kept: 1 in real time, 0.25 when four times too slow.
   /// A mean over about the last second of wall time.
-  double keptShare() const { return m_keptShare; }
+  double keptShare() const;
 
  private:
   double m_longestFrame;
@@ -42,6 +46,7 @@ class StepClock {
   double m_time = 0;
   double m_target = 0;   // of the present frame; m_time between frames
   double m_elapsed = 0;  // wall time of the present frame [s]; 0 between frames
+  double m_waited = 0;   // the part of it that wait() put off [s]
   double m_keptShare = 1;
 };
 

@@ -12,7 +12,6 @@
 #include "ui/control/run_controller.h"
 #include "ui/control/settings.h"
 #include "ui/files/ledger_file.h"
-#include "ui/view/scene_picture.h"
 
 namespace ui {
 namespace {
@@ -33,13 +32,8 @@ void Exports::saveChart(const QString& file, QSizeF size) {
 }
 
 void Exports::savePicture(const QString& file) {
-  const std::optional<ShownTarget> target = m_target ? m_target() : std::nullopt;
   report(file, writeScenePicture(file, m_controller->runs(), m_controller->time(),
-                                 kScenePictureSize, nullptr, target ? &*target : nullptr));
-}
-
-void Exports::setTarget(std::function<std::optional<ShownTarget>()> target) {
-  m_target = std::move(target);
+                                 kScenePictureSize, m_pictured()));
 }
 
 void Exports::saveLedger(const QString& file, int run) {

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <utility>
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
 
 #include "ui/chart/chart_export.h"
-#include "ui/view/shown_target.h"
+#include "ui/view/scene_picture.h"
 
 class QWidget;
 
@@ -24,8 +24,8 @@ class Exports : public QObject {
   /// @param chart  the chart as it is looked at at that moment
   Exports(const RunController* controller, std::function<ChartPicture()> chart, QWidget* window);
 
-  /// @param target  the target as it is shown at that moment, for pictures of the scene
-  void setTarget(std::function<std::optional<ShownTarget>()> target);
+  /// @param pictured  what is drawn besides the runs at that moment
+  void setPictured(std::function<PicturedMarks()> pictured) { m_pictured = std::move(pictured); }
 
   // To a file of this name, whose ending names the kind.
   /// @param size  in mm on paper
@@ -49,7 +49,7 @@ class Exports : public QObject {
 
   const RunController* m_controller;
   std::function<ChartPicture()> m_chart;
-  std::function<std::optional<ShownTarget>()> m_target;  // may be empty
+  std::function<PicturedMarks()> m_pictured = [] { return PicturedMarks(); };
   QWidget* m_window;
 };
 

@@ -20,14 +20,52 @@ double Lane::recordedUntil() const {
   return static_cast<double>(m_recording.lastStep()) * m_run.solver().step;
 }
 
-bool Lane::advance() {
-  cutWhereDue();
-  if (m_recording.advance(m_run) != core::RunStatus::kRunning) {
-    m_isComplete = true;
-    return false;
+bool Lane::take(Step step, const core::Run::StepProgress& progress) {
+  if (step == Step::kOnwards) {
+    cutWhereDue();
+    if (!m_run.tryAdvance(progress)) return false;
+    completeStep();
+  } else if (m_stepsToGo > 0) {
+    if (!m_traveller->tryAdvance(progress)) return false;
+    completeStepTowardsAim();
   }
-  cutWhereDue();
   return true;
+}
+
+core::Run Lane::lend(Step step) {
+  if (step == Step::kOnwards) {
+    cutWhereDue();
+    if (!m_traveller) m_traveller.emplace(m_scene, m_run.solver());
+    m_traveller->restore(m_run.state());
+  }
+  core::Run lent = std::move(*m_traveller);
+  m_traveller.reset();
+  return lent;
+}
+
+void Lane::giveBack(Step step, core::Run run) {
+  m_traveller.emplace(std::move(run));
+  if (step == Step::kOnwards) {
+    std::swap(m_run, *m_traveller);
+    completeStep();
+  } else {
+    completeStepTowardsAim();
+  }
+}
+
+/// After a step of m_run.
+void Lane::completeStep() {
+  if (!goesOn()) {
+    m_isComplete = true;
+    return;
+  }
+  m_recording.completeStep(m_run);
+  cutWhereDue();
+}
+
+void Lane::completeStepTowardsAim() {
+  --m_stepsToGo;
+  if (m_traveller->status() == core::RunStatus::kRunning) m_recording.completeStep(*m_traveller);
 }
 
 bool Lane::canCut() const {
@@ -66,33 +104,26 @@ std::int64_t Lane::recordedStepAround(double time) const {
 }
 
 void Lane::aimAt(double time) {
-  m_aim = time;
-  m_aimStep = recordedStepAround(time);
-  const bool isThere = m_run.stepCount() == m_aimStep && goesOn();
+  const std::int64_t aim = recordedStepAround(time);
+  // Past its end the run stands as it stood when it stopped: one step more, which fails.
+  const bool meansEnd = m_isComplete && time > recordedUntil();
+  const bool isThere = m_run.stepCount() == aim && goesOn() && !meansEnd &&
+                       (time >= m_run.time() || m_run.knowsLatestStep());
   m_isTravelling = !isThere;
+  m_stepsToGo = 0;
   if (isThere) return;
   if (!m_traveller) m_traveller.emplace(m_scene, m_run.solver());
-  if (m_run.stepCount() < m_aimStep && !isShorterByRecord(time)) {
+  if (m_run.stepCount() < aim && !isShorterByRecord(time)) {
     m_traveller->restore(m_run.state());
   } else {
-    m_recording.beginRestore(*m_traveller, m_aimStep);
+    m_recording.beginRestore(*m_traveller, aim);
   }
-}
-
-bool Lane::approach() {
-  if (stepsToGo() > 0) m_recording.replay(*m_traveller);
-  return stepsToGo() == 0;
+  m_stepsToGo = aim - m_traveller->stepCount() + (meansEnd ? 1 : 0);
 }
 
 void Lane::arrive() {
   if (m_isTravelling) std::swap(m_run, *m_traveller);
   m_isTravelling = false;
-  // Past its end it stands as it stood when it stopped.
-  if (m_isComplete && goesOn() && m_aim > m_run.time()) m_run.advance();
-}
-
-std::int64_t Lane::stepsToGo() const {
-  return m_isTravelling ? m_aimStep - m_traveller->stepCount() : 0;
 }
 
 bool Lane::isShorterByRecord(double time) const {

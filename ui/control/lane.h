@@ -29,9 +29,28 @@ class Lane {
   /// True if the record ends because the run cannot go on from there.
   bool isComplete() const { return m_isComplete; }
 
-  /// Takes the next step, recorded or new.
-  /// @return  false if the run has just stopped
-  bool advance();
+  /// What a lane can take a step of.
+  enum class Step {
+    kOnwards,    ///< the run, to its next step, recorded or new
+    kTowardsAim  ///< the way to another moment: run() stays where it is
+  };
+
+  /// Takes the step unless `progress` gives it up. Where the run stops in it, or nothing is
+  /// left to do but arrive(), that counts as taken.
+  /// @return  false if it was given up: then all is as before
+  bool take(Step step, const core::Run::StepProgress& progress);
+
+  // A step that is taken elsewhere, in another thread as a rule: lend() gives away a run that
+  // nobody else can reach; once its step is taken, giveBack() makes the lane what take() would
+  // have made it. A run that never comes back leaves the lane as it was, a way to another moment
+  // apart, which has to be aimed anew.
+
+  core::Run lend(Step step);
+  void giveBack(Step step, core::Run run);
+
+  /// Whether steps took long the last time; told by those who take them.
+  bool isSlow() const { return m_isSlow; }
+  void setSlow(bool slow) { m_isSlow = slow; }
 
   /// False when no rope is left to cut, or a cut is already under way.
   bool canCut() const;
@@ -39,17 +58,14 @@ class Lane {
   /// the present step is forgotten: the future is another one now.
   void cutAt(double moment);
 
-  // To another moment in pieces: aimAt(), approach() until it returns true, arrive(). Until
-  // then run() stands where it was.
+  // To another moment in pieces: aimAt(), steps towards the aim until none is left, arrive().
+  // Until then run() stands where it was.
 
   /// @param time  [s], ≥ 0; where the run does not go so far, its last moment is meant
   void aimAt(double time);
-  /// Takes at most one step.
-  /// @return  true once nothing is left to do but arrive()
-  bool approach();
   void arrive();
   /// Steps left to take.
-  std::int64_t stepsToGo() const;
+  std::int64_t stepsToGo() const { return m_stepsToGo; }
 
   /// True if a state is kept between the present moment and `time` [s]: going there is then
   /// faster by aimAt() than by advance().
@@ -59,6 +75,8 @@ class Lane {
   std::int64_t recordedStepAround(double time) const;
   bool hasReached(double time) const;
   void cutWhereDue();
+  void completeStep();
+  void completeStepTowardsAim();
 
   std::shared_ptr<const core::Scene> m_scene;
   core::Run m_run;
@@ -66,10 +84,10 @@ class Lane {
   bool m_isComplete = false;
   std::optional<double> m_cutAt;  // ropes fall at the first step's end from here on [s]
 
-  std::optional<core::Run> m_traveller;  // on its way to become m_run
-  double m_aim = 0;                      // [s]
-  std::int64_t m_aimStep = 0;
+  std::optional<core::Run> m_traveller;  // on its way to become m_run; none while it is lent
+  std::int64_t m_stepsToGo = 0;
   bool m_isTravelling = false;
+  bool m_isSlow = false;
 };
 
 }  // namespace ui

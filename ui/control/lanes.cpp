@@ -6,7 +6,7 @@
 
 namespace ui {
 
-Lanes::Lanes(const std::shared_ptr<const core::Scene>& scene) {
+Lanes::Lanes(const std::shared_ptr<const core::Scene>& scene, StepTaker* steps) : m_steps(steps) {
   for (const core::Solver& solver : scene->solvers) {
     m_lanes.push_back(std::make_unique<Lane>(scene, solver));
     m_runs.push_back(&m_lanes.back()->run());
@@ -29,6 +29,7 @@ bool Lanes::canCut() const {
 }
 
 void Lanes::cutAll() {
+  m_steps->giveUp();
   double moment = 0;
   for (const auto& lane : m_lanes) {
     if (lane->goesOn()) moment = std::max(moment, lane->run().time());
@@ -51,7 +52,7 @@ Lane* Lanes::furthestBehind(double target) {
 
 void Lanes::advanceTo(double target, const GoOn& goOn) {
   while (Lane* lane = furthestBehind(target)) {
-    lane->advance();
+    if (!m_steps->take(*lane, Lane::Step::kOnwards)) return;
     m_separations.note(m_runs);
     if (!goOn(*lane)) return;
   }
@@ -79,13 +80,15 @@ double Lanes::recordedUntil() const {
 }
 
 void Lanes::aimAt(double time) {
+  m_steps->giveUp();
   for (const auto& lane : m_lanes) lane->aimAt(time);
 }
 
 bool Lanes::approach(const GoOn& goOn) {
   for (const auto& lane : m_lanes) {
-    while (!lane->approach()) {
-      if (!goOn(*lane)) return false;
+    while (lane->stepsToGo() > 0) {
+      if (!m_steps->take(*lane, Lane::Step::kTowardsAim)) return false;
+      if (lane->stepsToGo() > 0 && !goOn(*lane)) return false;
     }
   }
   return true;

@@ -23,16 +23,24 @@ double steadySeconds() {
 }  // namespace
 
 RunController::RunController(Stopwatch stopwatch, QObject* parent)
-    : QObject(parent), m_stopwatch(std::move(stopwatch)) {}
+    : QObject(parent), m_stopwatch(std::move(stopwatch)), m_steps(m_stopwatch) {
+  connect(&m_steps, &StepTaker::finished, this, &RunController::goOn);
+}
 
 RunController::RunController(QObject* parent) : RunController(steadySeconds, parent) {}
 
 RunController::~RunController() = default;
 
+void RunController::setStopwatch(Stopwatch stopwatch) {
+  m_steps.setStopwatch(stopwatch);
+  m_stopwatch = std::move(stopwatch);
+}
+
 void RunController::setScene(std::shared_ptr<const core::Scene> scene) {
   m_journey.end();
+  m_steps.giveUp();
   m_scene = std::move(scene);
-  m_lanes = Lanes(m_scene);
+  m_lanes = Lanes(m_scene, &m_steps);
   m_wentOn.assign(m_lanes.count(), true);
   m_clock.reset(0);
   emit restarted();
@@ -63,14 +71,24 @@ void RunController::passTime(double elapsed) {
   }
 }
 
+/// A step that was waited for has ended: no need to wait for the next frame as well.
+void RunController::goOn() {
+  passTime(0);
+}
+
 void RunController::playOn(double elapsed) {
   const double target = m_clock.targetAfter(elapsed);
   // Half of the time where frames come late anyway: drawing must not starve the runs.
   const double deadline = now() + std::clamp(elapsed / 2, kPlayingBudget, kSlowBudget);
   m_lanes.advanceTo(target, [&](const Lane&) { return now() <= deadline; });
-  m_clock.reached(m_lanes.timeReached(target));
-  emit timeShown(time());
-  noteChanges();
+  const double before = time();
+  const double reached = m_lanes.timeReached(target);
+  m_steps.isUnderWay() ? m_clock.wait(reached) : m_clock.reached(reached);
+  if (time() != before || !m_steps.isUnderWay()) {
+    emit timeShown(time());
+    noteChanges();
+  }
+  emit framePassed();
 }
 
 void RunController::travel(double budget) {
@@ -91,9 +109,14 @@ void RunController::travel(double budget) {
 void RunController::stopTravelling() {
   if (!isTravelling()) return;
   m_journey.end();
+  m_steps.giveUp();
   emit timeShown(time());
   noteChanges();
   emit travelled();
+}
+
+void RunController::stopWork() {
+  isTravelling() ? stopTravelling() : pause();
 }
 
 void RunController::showTime(double time) {
@@ -148,6 +171,8 @@ void RunController::togglePlaying() {
 void RunController::setPlaying(bool playing) {
   if (playing == m_playing) return;
   m_playing = playing;
+  m_clock.reset(time());
+  if (!playing) m_steps.giveUp();
   emit playingChanged(playing);
   noteChanges();
 }

@@ -22,21 +22,24 @@ namespace ui {
 /// a cut by hand forgets what was recorded after it.
 ///
 /// Knows no wall clock but the stopwatch that bounds its work: time passes when passTime()
-/// is called. Work that takes longer than a frame goes on with the next call. Emits each
-/// signal at most once per call.
+/// is called. Work that takes longer than a frame goes on with the next call; a single step
+/// that does goes on in another thread (StepTaker), and the runs stay as they were until it has
+/// ended. Emits each signal at most once per call.
 class RunController : public QObject {
   Q_OBJECT
 
  public:
   /// Reads some clock [s]; only differences matter.
-  using Stopwatch = std::function<double()>;
+  using Stopwatch = StepTaker::Stopwatch;
   using EventFilter = Journey::EventFilter;
 
   explicit RunController(Stopwatch stopwatch, QObject* parent = nullptr);
 
   /// Bounds the work of a frame by another clock from now on; one that stands still does not
   /// bound it.
-  void setStopwatch(Stopwatch stopwatch) { m_stopwatch = std::move(stopwatch); }
+  void setStopwatch(Stopwatch stopwatch);
+  /// See StepTaker.
+  void setPatience(double seconds) { m_steps.setPatience(seconds); }
   /// With the computer's own steady clock.
   explicit RunController(QObject* parent = nullptr);
   ~RunController() override;
@@ -71,6 +74,13 @@ class RunController : public QObject {
   /// Share of the wanted speed that is kept, 1 when it is.
   double keptShare() const;
 
+  /// A step takes so long that it is under way in another thread.
+  bool isStepUnderWay() const { return m_steps.isUnderWay(); }
+  /// How long playing has been waiting for it [s].
+  double waited() const { return m_playing ? m_clock.waited() : 0; }
+  /// Share of it that is done, 0 to 1.
+  double stepProgress() const { return m_steps.progress(); }
+
   /// Lets wall time pass: while playing, shows the moment that is due; while travelling,
   /// does some more of the work.
   /// @param elapsed  since the last call [s], ≥ 0
@@ -104,6 +114,8 @@ class RunController : public QObject {
   void goTo(double time);
   /// Ends travelling where it has come to.
   void stopTravelling();
+  /// Ends whatever takes long: travelling, or else playing.
+  void stopWork();
   /// Pauses, and shows the end of the next step of the first run that still goes on.
   void stepOnce();
   /// Pauses, and shows the end of the step before.
@@ -137,11 +149,14 @@ class RunController : public QObject {
   void busyChanged(bool busy);
   /// Travelling has begun, come on or ended.
   void travelled();
+  /// Another frame was played: keptShare() and waited() are new.
+  void framePassed();
   /// No event is wanted between these moments [s].
   void nothingFound(double from, double until);
 
  private:
   double now() const { return m_stopwatch(); }
+  void goOn();
   void playOn(double elapsed);
   void travel(double budget);
   double stepOfFirst() const;
@@ -150,6 +165,7 @@ class RunController : public QObject {
 
   Stopwatch m_stopwatch;
   std::shared_ptr<const core::Scene> m_scene;
+  StepTaker m_steps;
   Lanes m_lanes;
   core::StepClock m_clock;
   bool m_playing = false;

@@ -12,6 +12,7 @@ const QString kPainterKey = QStringLiteral("painter");
 const QString kThemeKey = QStringLiteral("theme");
 const QString kChartSizeKey = QStringLiteral("chartSize");
 const QString kPanelsKey = QStringLiteral("panels");
+const QString kHiddenLessonKey = QStringLiteral("hiddenLesson");
 
 // In the order of the enumerations.
 const std::array kPainterWords{"automatic", "opengl", "qpainter"};
@@ -62,6 +63,14 @@ QByteArray Settings::panels() const {
 
 void Settings::setPanels(const QByteArray& panels) {
   m_store.setValue(kPanelsKey, panels);
+}
+
+QString Settings::hiddenLesson() const {
+  return m_store.value(kHiddenLessonKey).toString();
+}
+
+void Settings::setHiddenLesson(const QString& name) {
+  m_store.setValue(kHiddenLessonKey, name);
 }
 
 }  // namespace ui

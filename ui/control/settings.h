@@ -30,6 +30,10 @@ class Settings {
   QByteArray panels() const;
   void setPanels(const QByteArray& panels);
 
+  /// The lesson whose text was put away; another one shows its own.
+  QString hiddenLesson() const;
+  void setHiddenLesson(const QString& name);
+
  private:
   QSettings m_store;
 };

@@ -23,6 +23,7 @@ TimeCommands::TimeCommands(const Commands& commands, RunController* controller,
   connectPlaces();
   connect(controller, &RunController::timeShown, this, &TimeCommands::offerWhatCanBeDone);
   connect(controller, &RunController::busyChanged, this, &TimeCommands::offerWhatCanBeDone);
+  connect(controller, &RunController::framePassed, this, &TimeCommands::offerWhatCanBeDone);
   connect(controller, &RunController::runStatusChanged, this, &TimeCommands::offerWhatCanBeDone);
 }
 
@@ -56,7 +57,7 @@ void TimeCommands::connectPlaces() {
   on(Command::kGoToStart, [this] { m_controller->showTime(0); });
   on(Command::kGoToEnd, [this] { m_controller->showTime(m_controller->recordedUntil()); });
   on(Command::kGoTo, &TimeCommands::askAndGo);
-  on(Command::kStopTravelling, [this] { m_controller->stopTravelling(); });
+  on(Command::kStopTravelling, [this] { m_controller->stopWork(); });
 }
 
 void TimeCommands::offerWhatCanBeDone() {
@@ -72,7 +73,7 @@ void TimeCommands::offerWhatCanBeDone() {
          Command::kNextImpact, Command::kNextTurningPoint, Command::kNextCut},
         m_controller->canGoOn());
   offer({Command::kGoToEnd}, time < m_controller->recordedUntil());
-  offer({Command::kStopTravelling}, m_controller->isTravelling());
+  offer({Command::kStopTravelling}, m_controller->isTravelling() || m_controller->waited() > 0);
 }
 
 void TimeCommands::askAndGo() {

@@ -1,6 +1,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include "ui/files/lessons.h"
 #include "ui/files/scene_file.h"
 
 namespace ui {
@@ -14,8 +15,9 @@ QString resourceOf(const QString& name) {
 }  // namespace
 
 QStringList builtInScenes() {
-  return {QStringLiteral("one-pendulum"), QStringLiteral("two-weights"),
-          QStringLiteral("three-pendulums"), QStringLiteral("seven-weights")};
+  QStringList names;
+  for (const Lesson& lesson : lessons()) names.append(lesson.name);
+  return names;
 }
 
 core::Scene builtInScene(const QString& name) {

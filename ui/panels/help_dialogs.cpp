@@ -37,6 +37,11 @@ std::vector<Line> keyLines(const Commands& commands) {
 std::vector<Line> mouseLines() {
   return {{Words::tr("Wheel"), Words::tr("Zoom")},
           {Words::tr("Drag"), Words::tr("Move the view")},
+          {Words::tr("Click on a weight"), Words::tr("Select it")},
+          {Words::tr("Drag a weight"), Words::tr("Set its angle or place")},
+          {Words::tr("Shift+drag a weight"), Words::tr("Set the length of its rope")},
+          {Words::tr("Drag a weight's arrow"), Words::tr("Set its velocity")},
+          {Words::tr("Ctrl while dragging"), Words::tr("Snap")},
           {Words::tr("Double click"), Words::tr("Fit the room")},
           {Words::tr("Drag in a chart"), Words::tr("Zoom to a box")},
           {Words::tr("Shift+drag in a chart"), Words::tr("Move what it shows")},

@@ -23,6 +23,7 @@ constexpr int kFastest = 2;
 
 constexpr double kTimeType = 2;       // times the base type
 constexpr double kMostlyKept = 0.97;  // of the speed: less is noticed and shown
+constexpr double kLeastPace = 0.01;   // of real time: less is as good as standing still
 constexpr QSize kIconSize(26, 26);
 constexpr int kSliderWidth = 120;  // px
 
@@ -34,8 +35,12 @@ QString speedText(double speed) {
   return fractionText(speed) + QStringLiteral("×");
 }
 
-QString slowText(double keptShare) {
-  return PlaybackBar::tr("too slow: %1 %").arg(QLocale().toString(100 * keptShare, 'f', 0));
+/// @param pace  simulated seconds per second
+QString slowText(double pace) {
+  const QString words = PlaybackBar::tr("%1× real time");
+  const QLocale locale;
+  if (pace < kLeastPace) return words.arg(u'<' + locale.toString(kLeastPace));
+  return words.arg(locale.toString(pace, 'g', pace < 0.1 ? 1 : 2));
 }
 
 QToolButton* buttonFor(QAction* action, Qt::ToolButtonStyle style) {
@@ -115,8 +120,9 @@ QWidget* PlaybackBar::timeBox() {
   // Room for the longest common text, so that nothing moves while the digits do.
   m_timeLabel->setMinimumWidth(m_timeLabel->fontMetrics().horizontalAdvance("000.000 s"));
   m_paceLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  m_paceLabel->setToolTip(tr("How much of the chosen speed the computer keeps up with"));
-  m_paceLabel->setMinimumWidth(m_paceLabel->fontMetrics().horizontalAdvance(slowText(0.96)));
+  m_paceLabel->setObjectName("pace");
+  m_paceLabel->setToolTip(tr("Whether the computer keeps up with the chosen speed"));
+  m_paceLabel->setMinimumWidth(m_paceLabel->fontMetrics().horizontalAdvance(slowText(0.24)));
   layout->addWidget(m_paceLabel);
   layout->addWidget(m_timeLabel);
   return box;
@@ -130,10 +136,12 @@ void PlaybackBar::showSpeed(double speed) {
   const QSignalBlocker quiet(m_speedSlider);
   m_speedSlider->setValue(exponentOf(speed));
   m_speedLabel->setText(tr("Speed %1").arg(speedText(speed)));
+  m_speed = speed;
 }
 
 void PlaybackBar::showKeptShare(double keptShare) {
-  const QString text = keptShare >= kMostlyKept ? tr("in real time") : slowText(keptShare);
+  const QString text =
+      keptShare >= kMostlyKept ? tr("in real time") : slowText(keptShare * m_speed);
   if (text != m_paceLabel->text()) m_paceLabel->setText(text);
 }
 

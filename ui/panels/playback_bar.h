@@ -40,6 +40,7 @@ class PlaybackBar : public QWidget {
   QLabel* m_speedLabel;
   QLabel* m_timeLabel;
   QLabel* m_paceLabel;
+  double m_speed = 1;
 };
 
 }  // namespace ui

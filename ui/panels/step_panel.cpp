@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -18,6 +19,7 @@ namespace ui {
 namespace {
 
 constexpr int kPause = 100;  // ms: numbers that change faster cannot be read
+constexpr int kLook = 50;    // ms: what looks ahead longer would keep the window waiting
 
 /// The run's own method first, then the two the program is about.
 std::vector<const core::Method*> comparedMethods(const core::Run& run) {
@@ -126,10 +128,21 @@ void StepPanel::openStep() {
   if (m_weight->value() > 0) {
     m_parts = run.latestStep(m_weight->value() - 1);
     m_isComing = m_parts.empty();
-    if (m_isComing) m_parts = run.nextStep(m_weight->value() - 1);
+    if (m_isComing && !lookAhead(run))
+      return showNothing(tr("The coming step takes long to compute: go on to see it."));
   }
   listParts();
   showPart();
+}
+
+/// @return  false where the coming step takes too long to be shown ahead
+bool StepPanel::lookAhead(const core::Run& run) {
+  QElapsedTimer clock;
+  clock.start();
+  bool isQuick = true;
+  m_parts = run.nextStep(m_weight->value() - 1,
+                         [&](double) { return isQuick = clock.elapsed() < kLook; });
+  return isQuick;
 }
 
 void StepPanel::listParts() {

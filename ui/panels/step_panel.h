@@ -55,6 +55,7 @@ class StepPanel : public QWidget {
   void listParts();
   int partUnderWay() const;
   void showPart();
+  bool lookAhead(const core::Run& run);
   void showNothing(const QString& reason);
   PlottedStep plotted(const core::StepPart& part, const core::ExactWay& exact,
                       const std::vector<core::StepEnd>& ends) const;

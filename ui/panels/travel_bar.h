@@ -9,8 +9,8 @@ namespace ui {
 
 class RunController;
 
-/// How far the way to a moment is done that takes long to get to, and a button to stop there.
-/// Hidden unless it takes more than an instant.
+/// How far the way to a moment is done that takes long to get to, or a single step that playing
+/// waits for, and a button to stop there. Hidden unless it takes more than an instant.
 class TravelBar : public QWidget {
   Q_OBJECT
 
@@ -19,6 +19,8 @@ class TravelBar : public QWidget {
 
  private:
   void showProgress();
+  void showWaiting();
+  void say(const QString& words, double progress);
 
   RunController* m_controller;
   QLabel* m_words;

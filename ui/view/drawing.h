@@ -78,7 +78,15 @@ struct Layer {
 };
 
 /// Depths from back to front.
-enum LayerIndex { kRoomLayer, kTrailLayer, kRopeLayer, kWeightLayer, kFrontLayer, kLayerCount };
+enum LayerIndex {
+  kRoomLayer,
+  kTrailLayer,
+  kRopeLayer,
+  kWeightLayer,
+  kFrontLayer,
+  kToolLayer,
+  kLayerCount
+};
 
 /// A whole picture. Texts lie over all layers.
 struct Drawing {

@@ -30,6 +30,8 @@ QSurfaceFormat sceneSurfaceFormat() {
   format.setRenderableType(QSurfaceFormat::OpenGL);
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
+  // Else a context that the driver has reset never says so.
+  format.setOption(QSurfaceFormat::ResetNotification);
   return format;
 }
 

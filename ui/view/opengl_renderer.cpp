@@ -59,6 +59,18 @@ void OpenGlRenderer::describeShapes() {
   m_vertexArray.release();
 }
 
+void OpenGlRenderer::upload() {
+  m_buffer.allocate(m_shapes.data(), static_cast<int>(m_shapes.size() * sizeof(Shape)));
+  ++m_work.uploads;
+}
+
+void OpenGlRenderer::draw() {
+  m_functions->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4,
+                                     static_cast<GLsizei>(m_shapes.size()));
+  ++m_work.drawCalls;
+  m_work.shapes += static_cast<std::int64_t>(m_shapes.size());
+}
+
 void OpenGlRenderer::paint(const Drawing& drawing, const Camera& camera) {
   m_shapes.clear();
   for (const Layer& layer : drawing.layers) {
@@ -76,9 +88,8 @@ void OpenGlRenderer::paint(const Drawing& drawing, const Camera& camera) {
   m_program.setUniformValue("viewport", size);
   m_vertexArray.bind();
   m_buffer.bind();
-  m_buffer.allocate(m_shapes.data(), static_cast<int>(m_shapes.size() * sizeof(Shape)));
-  m_functions->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4,
-                                     static_cast<GLsizei>(m_shapes.size()));
+  upload();
+  draw();
   m_buffer.release();
   m_vertexArray.release();
   m_program.release();

@@ -146,11 +146,10 @@ void paintDrawing(const Drawing& drawing, const Camera& camera, QImage& image) {
   image.fill(drawing.background);
   std::vector<Shape> shapes;
   for (const Layer& layer : drawing.layers) {
-    shapes.clear();
     addRectangles(layer, camera, shapes);
     addShapes(layer, camera, shapes);
-    for (const Shape& shape : shapes) paintShape(shape, image);
   }
+  paintShapes(shapes, image);
   QPainter painter(&image);
   painter.scale(camera.devicePixelRatio(), camera.devicePixelRatio());
   painter.setRenderHint(QPainter::Antialiasing);

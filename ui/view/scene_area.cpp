@@ -42,6 +42,21 @@ void SceneArea::showStep(const ShownStep* step, std::size_t run) {
     m_views[i]->showStep(m_views.size() == 1 || i == run ? step : nullptr);
 }
 
+void SceneArea::setMarks(const SceneMarks& marks) {
+  m_marks = marks;
+  for (SceneView* view : m_views) view->setMarks(marks);
+  followOne(m_views.front());
+}
+
+void SceneArea::setHand(SceneHand* hand) {
+  m_hand = hand;
+  for (SceneView* view : m_views) view->setHand(hand);
+}
+
+const Trails* SceneArea::trails() const {
+  return m_views.size() == 1 ? m_views.front()->trails() : nullptr;
+}
+
 void SceneArea::setTarget(const std::optional<ShownTarget>& target) {
   m_target = target;
   distributeTarget();
@@ -74,6 +89,7 @@ void SceneArea::distributeRuns() {
   }
   distributeTarget();
   arrange();
+  emit trailsChanged();
 }
 
 void SceneArea::setViewCount(std::size_t count) {
@@ -88,6 +104,8 @@ void SceneArea::addView() {
   auto* view = new SceneView(this);
   view->setPainterChoice(m_choice);
   view->setTrailsShown(m_trailsShown);
+  view->setMarks(m_marks);
+  view->setHand(m_hand);
   connect(view, &SceneView::painterChanged, this, &SceneArea::painterChanged);
   connect(view, &SceneView::cameraMoved, this, [this, view] { followOne(view); });
   connect(new TargetHandle(view), &TargetHandle::moved, this, &SceneArea::targetMoved);
@@ -103,6 +121,7 @@ void SceneArea::setPainterChoice(PainterChoice choice) {
 void SceneArea::setTrailsShown(bool shown) {
   m_trailsShown = shown;
   for (SceneView* view : m_views) view->setTrailsShown(shown);
+  emit trailsChanged();
 }
 
 void SceneArea::resizeEvent(QResizeEvent*) {

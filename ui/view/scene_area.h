@@ -6,6 +6,7 @@
 #include <QString>
 #include <QWidget>
 
+#include "ui/view/scene_marks.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/shown_target.h"
 
@@ -28,6 +29,14 @@ class SceneArea : public QWidget {
   /// Opens up a step of a weight in this run; null: none.
   void showStep(const ShownStep* step, std::size_t run);
 
+  /// Draws these over the runs in all views; see SceneView::setMarks().
+  void setMarks(const SceneMarks& marks);
+  const SceneMarks& marks() const { return m_marks; }
+  /// @param hand  gets hold of things by mouse; must outlive the views
+  void setHand(SceneHand* hand);
+
+  /// The trails of all runs as they are shown; null while they are not, or not in one view.
+  const Trails* trails() const;
   /// Shows a target on the floor, with a landing for each run; nothing: none.
   void setTarget(const std::optional<ShownTarget>& target);
 
@@ -37,6 +46,8 @@ class SceneArea : public QWidget {
 
   void setPainterChoice(PainterChoice choice);
   QString painterDescription() const { return m_views.front()->painterDescription(); }
+  /// See SceneView.
+  QString trailsDescription() const { return m_views.front()->trailsDescription(); }
 
  public slots:
   /// Gives each run a view of its own, or all of them one.
@@ -49,6 +60,8 @@ class SceneArea : public QWidget {
  signals:
   /// Another painter draws from now on.
   void painterChanged();
+  /// trailsDescription() may be another one.
+  void trailsChanged();
   /// The user dragged the target.
   void targetMoved(const core::Target& target);
 
@@ -65,6 +78,8 @@ class SceneArea : public QWidget {
   int columnsFor(QSizeF room) const;
 
   std::vector<const core::Run*> m_runs;
+  SceneMarks m_marks;
+  SceneHand* m_hand = nullptr;
   std::vector<SceneView*> m_views;  // never empty; children
   PainterChoice m_choice = PainterChoice::kAutomatic;
   std::optional<ShownTarget> m_target;

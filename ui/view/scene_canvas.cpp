@@ -50,6 +50,11 @@ void OpenGlCanvas::releaseRenderer() {
   doneCurrent();
 }
 
+void OpenGlCanvas::paintEvent(QPaintEvent* event) {
+  QOpenGLWidget::paintEvent(event);
+  if (isLost()) emit failed();
+}
+
 void OpenGlCanvas::initializeGL() {
   disconnect(m_contextConnection);
   m_contextConnection =

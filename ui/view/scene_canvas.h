@@ -58,6 +58,7 @@ class OpenGlCanvas : public QOpenGLWidget {
   void failed();
 
  protected:
+  void paintEvent(QPaintEvent* event) override;
   void initializeGL() override;
   void paintGL() override;
 

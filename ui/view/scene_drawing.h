@@ -15,6 +15,9 @@ struct ShownScene;
 Drawing sceneDrawing(const ShownScene& shown, const Trails& trails, const Camera& camera,
                      const SceneLook& look);
 
+/// Where the words above the room end [px].
+double wordsTop(const ShownScene& shown, const Camera& camera, const SceneLook& look);
+
 /// Room around the fitted room for numbers and legend [px].
 /// @param width  of the picture [px]
 QMarginsF sceneMargins(const ShownScene& shown, const SceneLook& look, double width);

@@ -126,13 +126,15 @@ QString save(const QString& file, const QByteArray& bytes) {
 }  // namespace
 
 QString writeScenePicture(const QString& file, const std::vector<const core::Run*>& runs,
-                          double time, QSize size, const Trails* trails,
-                          const ShownTarget* target) {
+                          double time, QSize size, const PicturedMarks& pictured) {
   ShownScene shown = shownScene(runs);
   readWeights(runs, time, shown);
-  if (target) shown.target = *target;
+  shown.marks = pictured.marks;
+  shown.marks.selection.reset();
+  shown.marks.tools.chosen.reset();
+  if (pictured.target) shown.target = *pictured.target;
   const auto picture = [&](double devicePixelRatio) {
-    return pictureOf(shown, trails ? *trails : Trails(), size, devicePixelRatio);
+    return pictureOf(shown, pictured.trails ? *pictured.trails : Trails(), size, devicePixelRatio);
   };
   const QString ending = QFileInfo(file).suffix().toLower();
   if (ending == QLatin1String("png")) return save(file, pngOf(picture(kPngScale)));

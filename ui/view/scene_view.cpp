@@ -12,6 +12,7 @@
 #include "ui/view/scene_canvas.h"
 #include "ui/view/scene_drawing.h"
 #include "ui/view/scene_look.h"
+#include "ui/view/scene_mouse.h"
 #include "ui/view/shown_scene.h"
 #include "ui/view/trails.h"
 
@@ -40,6 +41,7 @@ class SceneView::Content {
     m_runs = std::move(runs);
     ShownScene next = shownScene(m_runs, firstPlace);
     next.target.swap(m_shown.target);
+    next.marks = std::move(m_shown.marks);
     m_shown = std::move(next);
     m_trails.reset(static_cast<int>(m_runs.size()), static_cast<int>(m_shown.colors.size()),
                    trailSpan(m_shown.scene));
@@ -62,6 +64,13 @@ class SceneView::Content {
     repaint();
   }
 
+  void setMarks(const SceneMarks& marks) {
+    const QMarginsF before = margins();
+    m_shown.marks = marks;
+    if (m_isFitted && margins() != before) fit();
+    repaint();
+  }
+
   void setTarget(const std::optional<ShownTarget>& target) {
     if (!target && !m_shown.target) return;
     m_shown.target = target;
@@ -69,6 +78,7 @@ class SceneView::Content {
   }
 
   const ShownScene& shown() const { return m_shown; }
+  const SceneLook& look() const { return m_look; }
 
   void clearTrails() {
     m_trails.clear();
@@ -83,6 +93,12 @@ class SceneView::Content {
 
   const Trails* trails() const { return m_look.trails ? &m_trails : nullptr; }
 
+  QString trailsDescription() const {
+    if (!m_look.trails || !m_trails.isShortened()) return {};
+    return m_trails.pointsEach() > 0 ? SceneView::tr("Trails shortened: many weights")
+                                     : SceneView::tr("No trails: too many weights");
+  }
+
   void setChoice(PainterChoice choice) {
     if (choice == m_choice) return;
     m_choice = choice;
@@ -94,6 +110,7 @@ class SceneView::Content {
     if (m_openGlCanvas)
       return SceneView::tr("OpenGL %1 (%2)").arg(m_support->version, m_support->renderer);
     if (m_choice == PainterChoice::kQPainter) return SceneView::tr("QPainter");
+    if (m_isOpenGlLost) return SceneView::tr("QPainter (OpenGL was lost)");
     if (!m_support->usable) return SceneView::tr("QPainter (no OpenGL 3.3)");
     return SceneView::tr("QPainter (software OpenGL would be slower)");
   }
@@ -101,7 +118,7 @@ class SceneView::Content {
   void fit() {
     m_isFitted = true;
     placeCamera();
-    m_camera.fit(roomSize(m_shown), sceneMargins(m_shown, m_look, m_view->width()));
+    m_camera.fit(roomSize(m_shown), margins());
     repaint();
   }
 
@@ -127,22 +144,10 @@ class SceneView::Content {
     showMoved();
   }
 
-  void startPan(QPointF pixel) {
-    m_panFrom = pixel;
-    m_view->setCursor(Qt::ClosedHandCursor);
-  }
-
-  void pan(QPointF pixel) {
-    if (!m_panFrom) return;
+  void panBy(QPointF pixels) {
     m_isFitted = false;
-    m_camera.panBy(pixel - *m_panFrom);
-    m_panFrom = pixel;
+    m_camera.panBy(pixels);
     showMoved();
-  }
-
-  void endPan() {
-    m_panFrom.reset();
-    m_view->unsetCursor();
   }
 
   void readLook() {
@@ -153,6 +158,8 @@ class SceneView::Content {
 
  private:
   void repaint() { m_canvas->update(); }
+
+  QMarginsF margins() const { return sceneMargins(m_shown, m_look, m_view->width()); }
 
   void showMoved() {
     repaint();
@@ -195,6 +202,7 @@ class SceneView::Content {
 
   void loseOpenGl() {
     m_support = OpenGlSupport();
+    m_isOpenGlLost = true;
     chooseCanvas();
     emit m_view->painterChanged();
   }
@@ -205,6 +213,7 @@ class SceneView::Content {
   OpenGlCanvas* m_openGlCanvas = nullptr;
   PainterChoice m_choice = PainterChoice::kAutomatic;
   std::optional<OpenGlSupport> m_support;
+  bool m_isOpenGlLost = false;
 
   std::vector<const core::Run*> m_runs;
   ShownScene m_shown;
@@ -212,11 +221,14 @@ class SceneView::Content {
   SceneLook m_look;
   Camera m_camera;
   bool m_isFitted = true;
-  std::optional<QPointF> m_panFrom;
 };
 
 SceneView::SceneView(QWidget* parent)
-    : QWidget(parent), m_content(std::make_unique<Content>(this)) {
+    : QWidget(parent),
+      m_content(std::make_unique<Content>(this)),
+      m_mouse(std::make_unique<SceneMouse>(this)) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::ClickFocus);
   setMinimumSize(240, 180);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Scene"));
@@ -233,6 +245,18 @@ void SceneView::showTime(double time) {
 void SceneView::showStep(const ShownStep* step) {
   m_content->showStep(step);
 }
+void SceneView::setMarks(const SceneMarks& marks) {
+  m_content->setMarks(marks);
+}
+void SceneView::setHand(SceneHand* hand) {
+  m_mouse->setHand(hand);
+}
+const ShownScene& SceneView::shown() const {
+  return m_content->shown();
+}
+const SceneLook& SceneView::look() const {
+  return m_content->look();
+}
 void SceneView::setTarget(const std::optional<ShownTarget>& target) {
   m_content->setTarget(target);
 }
@@ -248,6 +272,9 @@ void SceneView::clearTrails() {
 }
 void SceneView::setTrailsShown(bool shown) {
   m_content->setTrailsShown(shown);
+}
+QString SceneView::trailsDescription() const {
+  return m_content->trailsDescription();
 }
 const Trails* SceneView::trails() const {
   return m_content->trails();
@@ -270,6 +297,10 @@ void SceneView::follow(const SceneView& other) {
 void SceneView::fitRoom() {
   m_content->fit();
   emit cameraMoved();
+}
+
+void SceneView::panBy(QPointF pixels) {
+  m_content->panBy(pixels);
 }
 
 void SceneView::zoomIn() {
@@ -298,19 +329,19 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) m_content->startPan(event->position());
+  m_mouse->press(*event);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  m_content->pan(event->position());
+  m_mouse->move(*event);
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) m_content->endPan();
+  m_mouse->release(*event);
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) fitRoom();
+  if (event->button() == Qt::LeftButton && m_mouse->pressAgain(*event)) fitRoom();
 }
 
 }  // namespace ui

@@ -17,7 +17,12 @@ struct Room;
 namespace ui {
 
 class Camera;
+class SceneHand;
+class SceneMouse;
 class Trails;
+struct SceneLook;
+struct SceneMarks;
+struct ShownScene;
 struct ShownStep;
 struct ShownTarget;
 
@@ -30,7 +35,8 @@ enum class PainterChoice {
 
 /// The room with its weights, ropes and trails. Draws runs; computes no physics.
 ///
-/// The wheel zooms at the pointer, dragging pans, a double click fits the room.
+/// The wheel zooms at the pointer, dragging pans, a double click fits the room, unless the hand
+/// takes hold of what lies there.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -51,12 +57,21 @@ class SceneView : public QWidget {
   /// Forgets the trails, for jumps in time.
   void clearTrails();
   void setTrailsShown(bool shown);
+  /// What many weights cost the trails, in words for the status bar; empty: nothing.
+  QString trailsDescription() const;
   /// The trails as they are shown, for a picture; null while they are not.
   const Trails* trails() const;
 
   /// Opens up a step of one weight over the scene; null: none.
   void showStep(const ShownStep* step);
 
+  /// Draws these over the runs from now on, until the next call.
+  void setMarks(const SceneMarks& marks);
+  /// @param hand  gets hold of things by mouse; must outlive the view
+  void setHand(SceneHand* hand);
+  /// What is drawn, and how.
+  const ShownScene& shown() const;
+  const SceneLook& look() const;
   /// Shows a target on the floor; nothing: none.
   void setTarget(const std::optional<ShownTarget>& target);
   /// Null while none is shown.
@@ -78,6 +93,8 @@ class SceneView : public QWidget {
 
  public slots:
   void fitRoom();
+  /// Moves what is seen by so many pixels.
+  void panBy(QPointF pixels);
   /// Enlarges or shrinks the picture around its middle, as two notches of the wheel do.
   void zoomIn();
   void zoomOut();
@@ -100,6 +117,7 @@ class SceneView : public QWidget {
  private:
   class Content;
   std::unique_ptr<Content> m_content;
+  std::unique_ptr<SceneMouse> m_mouse;
 };
 
 }  // namespace ui

@@ -17,7 +17,7 @@ std::array<float, 2> floats(QPointF point) {
 Shape::Color premultiplied(QRgb color, double opacity = 1) {
   const double alpha = qAlpha(color) / 255.0 * opacity;
   const auto channel = [alpha](int value) {
-    return static_cast<std::uint8_t>(std::lround(value * alpha));
+    return static_cast<std::uint8_t>(value * alpha + 0.5);
   };
   return {channel(qRed(color)), channel(qGreen(color)), channel(qBlue(color)), channel(255)};
 }
@@ -25,7 +25,7 @@ Shape::Color premultiplied(QRgb color, double opacity = 1) {
 /// Unit vector across the way from one point to the next.
 QPointF normalOf(QPointF from, QPointF to) {
   const QPointF way = to - from;
-  const double length = std::hypot(way.x(), way.y());
+  const double length = std::sqrt(QPointF::dotProduct(way, way));
   if (length == 0) return {0, 1};
   return QPointF(-way.y(), way.x()) / length;
 }

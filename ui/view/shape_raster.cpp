@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <future>
+#include <thread>
 
 #include <QImage>
 
@@ -54,19 +56,25 @@ PixelRange pixelsWithin(float lowest, float highest, int size) {
   return {first, behind - 1};
 }
 
-/// The pixels that are painted into.
+/// The pixels that are painted into: of all rows every `rowStep`-th, from `firstRow` on.
 class Canvas {
  public:
-  explicit Canvas(QImage& image)
+  explicit Canvas(QImage& image, int firstRow = 0, int rowStep = 1)
       : m_bits(image.bits()),
         m_stride(image.bytesPerLine()),
         m_width(image.width()),
-        m_height(image.height()) {}
+        m_height(image.height()),
+        m_firstRow(firstRow),
+        m_rowStep(rowStep) {}
 
   QRgb* row(int y) const { return reinterpret_cast<QRgb*>(m_bits + y * m_stride); }
+  /// To go through by rowStep().
   PixelRange rows(float lowest, float highest) const {
-    return pixelsWithin(lowest, highest, m_height);
+    PixelRange rows = pixelsWithin(lowest, highest, m_height);
+    while (rows.first % m_rowStep != m_firstRow) ++rows.first;
+    return rows;
   }
+  int rowStep() const { return m_rowStep; }
   PixelRange columns(float lowest, float highest) const {
     return pixelsWithin(lowest, highest, m_width);
   }
@@ -76,27 +84,34 @@ class Canvas {
   qsizetype m_stride;
   int m_width;
   int m_height;
+  int m_firstRow;
+  int m_rowStep;
 };
 
 void paintDisc(const Shape& disc, const Canvas& canvas) {
   const QRgb fill = colorOf(disc.color);
   const QRgb outline = colorOf(disc.outline);
+  const bool isOutlined = disc.outlineWidth > 0;
   const float reach = disc.fromHalfWidth + 0.5f;
   const float innerRadius = disc.fromHalfWidth - disc.outlineWidth;
-  const float plain = disc.outlineWidth > 0 ? std::max(innerRadius - 0.5f, 0.0f) : reach - 1;
+  // Inside of this a pixel is all fill; squared, which most pixels are settled by without a root.
+  const float plain = isOutlined ? std::max(innerRadius - 0.5f, 0.0f) : reach - 1;
+  const float plainSquare = plain * std::abs(plain);
   const PixelRange rows = canvas.rows(disc.from[1] - reach, disc.from[1] + reach);
-  for (int y = rows.first; y <= rows.last; ++y) {
+  for (int y = rows.first; y <= rows.last; y += canvas.rowStep()) {
     const float dy = static_cast<float>(y) + 0.5f - disc.from[1];
     const float half = std::sqrt(std::max(reach * reach - dy * dy, 0.0f));
     const PixelRange columns = canvas.columns(disc.from[0] - half, disc.from[0] + half);
     QRgb* const row = canvas.row(y);
     for (int x = columns.first; x <= columns.last; ++x) {
-      const float distance = lengthOf(static_cast<float>(x) + 0.5f - disc.from[0], dy);
-      if (distance < plain) {
-        row[x] = over(fill, row[x]);
+      const float dx = static_cast<float>(x) + 0.5f - disc.from[0];
+      const float square = dx * dx + dy * dy;
+      if (square < plainSquare) {
+        if (fill != 0) row[x] = over(fill, row[x]);
         continue;
       }
-      const unsigned outlined = disc.outlineWidth > 0 ? shareOf(distance - innerRadius + 0.5f) : 0;
+      const float distance = std::sqrt(square);
+      const unsigned outlined = isOutlined ? shareOf(distance - innerRadius + 0.5f) : 0;
       const QRgb color = scaled(fill, kWhole - outlined) + scaled(outline, outlined);
       row[x] = over(scaled(color, shareOf(reach - distance)), row[x]);
     }
@@ -115,7 +130,7 @@ void paintUpright(const Shape& shape, const Canvas& canvas) {
   };
   const PixelRange rows = canvas.rows(top - 0.5f, bottom + 0.5f);
   const PixelRange columns = canvas.columns(left - 0.5f, right + 0.5f);
-  for (int y = rows.first; y <= rows.last; ++y) {
+  for (int y = rows.first; y <= rows.last; y += canvas.rowStep()) {
     const QRgb color = scaled(colorOf(shape.color), covered(y, top, bottom));
     QRgb* const row = canvas.row(y);
     const auto paintEdge = [&](int x) {
@@ -156,7 +171,7 @@ class Stroke {
     const float slope = isSteep ? m_dx / m_dy : 0;
     const float half = isSteep ? m_reach / std::abs(m_dy) : right - left + m_endReach;
     const PixelRange rows = canvas.rows(top - m_endReach, bottom + m_endReach);
-    for (int y = rows.first; y <= rows.last; ++y) {
+    for (int y = rows.first; y <= rows.last; y += canvas.rowStep()) {
       const float py = static_cast<float>(y) + 0.5f - m_shape.from[1];
       const float middle = m_shape.from[0] + py * slope;
       const PixelRange columns = canvas.columns(std::max(left - m_endReach, middle - half),
@@ -200,11 +215,7 @@ class Stroke {
   float m_taper;     // half width gained per length
 };
 
-}  // namespace
-
-void paintShape(const Shape& shape, QImage& image) {
-  assert(image.format() == QImage::Format_RGB32);
-  const Canvas canvas(image);
+void paintOn(const Canvas& canvas, const Shape& shape) {
   const bool isPoint = shape.from == shape.to;
   switch (static_cast<ShapeEnds>(static_cast<int>(shape.ends))) {
     case ShapeEnds::kJoined:
@@ -214,9 +225,29 @@ void paintShape(const Shape& shape, QImage& image) {
       if (isPoint) return paintDisc(shape, canvas);
       return Stroke<ShapeEnds::kRound>(shape).paint(canvas);
     case ShapeEnds::kFlat:
-      if (shape.from[1] == shape.to[1]) return paintUpright(shape, canvas);
+      if (shape.from[1] == shape.to[1] && shape.fromHalfWidth == shape.toHalfWidth)
+        return paintUpright(shape, canvas);
       return Stroke<ShapeEnds::kFlat>(shape).paint(canvas);
   }
+}
+
+}  // namespace
+
+// Every thread paints rows of its own, in turn: so none waits for another, however the shapes lie.
+// Two threads paint 10,000 weights of two runs in 5 ms in place of 9.
+void paintShapes(const std::vector<Shape>& shapes, QImage& image) {
+  constexpr std::size_t kFewestForThreads = 2000;  // fewer are painted before a thread has begun
+  constexpr unsigned kMostThreads = 4;             // each looks at all shapes
+  assert(image.format() == QImage::Format_RGB32);
+  const unsigned processors = std::clamp(std::thread::hardware_concurrency(), 1u, kMostThreads);
+  const int threads = shapes.size() < kFewestForThreads ? 1 : static_cast<int>(processors);
+  const auto paintRowsOf = [&shapes](const Canvas& canvas) {
+    for (const Shape& shape : shapes) paintOn(canvas, shape);
+  };
+  std::vector<std::future<void>> others;
+  for (int i = 1; i < threads; ++i)
+    others.push_back(std::async(std::launch::async, paintRowsOf, Canvas(image, i, threads)));
+  paintRowsOf(Canvas(image, 0, threads));
 }
 
 }  // namespace ui

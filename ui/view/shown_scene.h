@@ -9,6 +9,7 @@
 
 #include "core/run/run.h"
 #include "core/scene/scene.h"
+#include "ui/view/scene_marks.h"
 #include "ui/view/shown_step.h"
 #include "ui/view/shown_target.h"
 
@@ -28,6 +29,7 @@ struct ShownScene {
   double time = 0;             ///< [s]
   std::vector<ShownRun> runs;  ///< the first is drawn filled, the others as outlines
   std::optional<ShownStep> step = std::nullopt;  ///< opened up
+  SceneMarks marks = {};
   std::optional<ShownTarget> target = std::nullopt;
 };
 

@@ -41,6 +41,8 @@ class Trails {
 
   /// Most points one trail can keep; 0 where there are too many weights.
   int pointsEach() const { return m_capacity; }
+  /// Whether they reach back less far than those of a single weight, or there are none.
+  bool isShortened() const { return m_capacity < kMostPointsEach; }
 
  private:
   int slotOf(int age) const { return (m_newest - age + m_capacity) % m_capacity; }

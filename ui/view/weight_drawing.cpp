@@ -1,6 +1,7 @@
 #include "ui/view/weight_drawing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/view/camera.h"
 #include "ui/view/hanging_rope.h"
@@ -12,8 +13,9 @@ namespace ui {
 
 namespace {
 
-constexpr double kRingWidth = 2.2;  // of the outlines [px]
-constexpr std::size_t kMany = 100;  // with more weights than these, strokes are thinner
+constexpr double kRingWidth = 2.2;      // of the outlines [px]
+constexpr double kThinRingWidth = 1.2;  // with many weights
+constexpr std::size_t kMany = 100;      // with more weights than these, strokes are thinner
 
 /// Strokes of one run: the first run's are stronger than those of the others.
 struct RunStyle {
@@ -40,19 +42,20 @@ bool hangsOnRope(const core::WeightState& weight) {
 void addRope(const core::Rope& rope, const core::WeightState& weight, const RunStyle& style,
              Layer& layer) {
   if (weight.phase == core::Phase::kSlack) {
-    layer.polylines.push_back({hangingRope(rope.pivot, weight.position, rope.length),
-                               style.ropeWidth, style.rope, /*fading=*/false});
+    std::vector<Eigen::Vector2d> points = hangingRope(rope.pivot, weight.position, rope.length);
+    // What would hang through the floor lies on it.
+    for (Eigen::Vector2d& point : points) point.y() = std::max(point.y(), 0.0);
+    layer.polylines.push_back({std::move(points), style.ropeWidth, style.rope, /*fading=*/false});
     return;
   }
   const double width = rope.rigid ? 2 * style.ropeWidth : style.ropeWidth;
   layer.lines.push_back({rope.pivot, weight.position, width, style.rope});
 }
 
-Disc filledDisc(const ShownScene& shown, std::size_t index, double leastRadius,
-                const Theme& theme) {
+Disc filledDisc(const ShownScene& shown, std::size_t index, double least, const Theme& theme) {
   const QRgb fill = shown.colors[index];
   return {shown.runs[0].weights[index].position,
-          std::max(shown.scene.weights[index].radius, leastRadius),
+          std::max(shown.scene.weights[index].radius, least),
           0,
           theme.dark ? 1.25 : 1.0,
           fill,
@@ -71,10 +74,16 @@ void addJoint(const Eigen::Vector2d& weight, const Eigen::Vector2d& outline, dou
 
 }  // namespace
 
+double leastRadius(const ShownScene& shown) {
+  constexpr std::size_t kVeryMany = 500;
+  return shown.scene.weights.size() > kVeryMany ? kLeastRadius / 2 : kLeastRadius;
+}
+
 bool enlargesWeights(const ShownScene& shown, const Camera& camera) {
+  const double least = leastRadius(shown);
   return std::any_of(shown.scene.weights.begin(), shown.scene.weights.end(),
-                     [&camera](const core::Weight& weight) {
-                       return weight.radius * camera.scale() < kLeastRadius;
+                     [&camera, least](const core::Weight& weight) {
+                       return weight.radius * camera.scale() < least;
                      });
 }
 
@@ -117,16 +126,17 @@ void drawWeights(const ShownScene& shown, const Camera& camera, const SceneLook&
   if (shown.runs.empty()) return;
   Layer& layer = drawing.layers[kWeightLayer];
   const std::vector<core::WeightState>& first = shown.runs[0].weights;
-  const double leastRadius = kLeastRadius / camera.scale();
+  const double least = leastRadius(shown) / camera.scale();
+  const double ring = first.size() > kMany ? kThinRingWidth : kRingWidth;
   for (std::size_t i = 0; i < first.size(); ++i)
-    layer.discs.push_back(filledDisc(shown, i, leastRadius, look.theme));
+    layer.discs.push_back(filledDisc(shown, i, least, look.theme));
   for (std::size_t r = 1; r < shown.runs.size(); ++r) {
     const QColor& color = look.theme.runs[r % look.theme.runs.size()];
     for (std::size_t i = 0; i < first.size(); ++i) {
       const Eigen::Vector2d& place = shown.runs[r].weights[i].position;
-      const double radius = std::max(shown.scene.weights[i].radius, leastRadius);
-      layer.discs.push_back({place, radius, kRingWidth, kRingWidth, 0, color.rgb()});
-      addJoint(first[i].position, place, radius + kRingWidth / camera.scale(), color, layer);
+      const double radius = std::max(shown.scene.weights[i].radius, least);
+      layer.discs.push_back({place, radius, ring, ring, 0, color.rgb()});
+      addJoint(first[i].position, place, radius + ring / camera.scale(), color, layer);
     }
   }
 }

@@ -11,6 +11,8 @@ struct ShownScene;
 
 /// Smallest radius a weight is drawn with, however small it is [px].
 inline constexpr double kLeastRadius = 3;
+/// The same for this scene: less with very many weights, or they would cover the room.
+double leastRadius(const ShownScene& shown);
 
 /// Whether some weight is so small in this picture that it is drawn larger than it is.
 bool enlargesWeights(const ShownScene& shown, const Camera& camera);

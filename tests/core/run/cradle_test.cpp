@@ -43,6 +43,8 @@ class CradleTest : public QObject {
  private slots:
   void handsTheSwingOnThroughTouchingWeights_data();
   void handsTheSwingOnThroughTouchingWeights();
+  void onOnePivotOnlyRopesOfNearlyOneLengthLetWeightsMeet_data();
+  void onOnePivotOnlyRopesOfNearlyOneLengthLetWeightsMeet();
 };
 
 void CradleTest::handsTheSwingOnThroughTouchingWeights_data() {
@@ -76,6 +78,36 @@ void CradleTest::handsTheSwingOnThroughTouchingWeights() {
   QVERIFY2(innermost <= 0.01 * amplitude, qPrintable(QString::number(innermost)));
   // A period of 2.04 s: 20 s hold nineteen half swings and the pull at the start.
   QCOMPARE(swings, 20);
+}
+
+void CradleTest::onOnePivotOnlyRopesOfNearlyOneLengthLetWeightsMeet_data() {
+  QTest::addColumn<QByteArray>("method");
+  QTest::addColumn<double>("longer");  // by so much [m]
+  QTest::addColumn<bool>("meet");
+  for (const char* method : {"euler", "rk4", "dopri5"}) {
+    QTest::addRow("%s, nearly one length", method) << QByteArray(method) << 1.9 * kRadius << true;
+    QTest::addRow("%s, clear of each other", method)
+        << QByteArray(method) << 2.1 * kRadius << false;
+  }
+}
+
+void CradleTest::onOnePivotOnlyRopesOfNearlyOneLengthLetWeightsMeet() {
+  QFETCH(QByteArray, method);
+  QFETCH(double, longer);
+  QFETCH(bool, meet);
+  Scene scene;
+  scene.airDensity = 0;
+  scene.weights.resize(2);
+  scene.weights[0].rope = core::Rope{.pivot = {2, 2}, .length = 1, .angle = -kAngle};
+  scene.weights[1].rope = core::Rope{.pivot = {2, 2}, .length = 1 + longer, .angle = kAngle};
+  Run run(std::make_shared<const Scene>(scene), {.method = method.toStdString()});
+  bool met = false;
+  while (run.time() < 2) {
+    QCOMPARE(run.advance(), core::RunStatus::kRunning);
+    for (const core::Event& event : run.stepEvents())
+      met |= event.kind == core::EventKind::kImpactWeight;
+  }
+  QCOMPARE(met, meet);
 }
 
 QTEST_APPLESS_MAIN(CradleTest)

@@ -256,6 +256,7 @@ void GoingBackTest::stoppedRunsDoNotHoldUpTheWayAhead() {
   scene->solvers.push_back({.method = "euler", .step = 0.04});
   double perLook = 0;
   RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
+  controller.setPatience(INFINITY);  // which would look at the clock, too
   controller.setScene(scene);
   playUntil(controller, 2);
   QVERIFY(controller.run(0).time() < 2 && controller.run(2).time() < 2);
@@ -274,6 +275,7 @@ void GoingBackTest::stoppedRunsDoNotHoldUpTheWayAhead() {
 void GoingBackTest::longWaysGoOnInLaterFrames() {
   double perLook = 0;
   RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
+  controller.setPatience(INFINITY);  // which would look at the clock, too
   controller.setScene(fourRuns());
   playUntil(controller, 2);
   const Bits before = shown(controller);
@@ -301,6 +303,7 @@ void GoingBackTest::longWaysGoOnInLaterFrames() {
 void GoingBackTest::aGoalThatMovesOnIsFollowed() {
   double perLook = 0;
   RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
+  controller.setPatience(INFINITY);  // which would look at the clock, too
   // So many weights that states are kept far apart.
   auto scene = std::make_shared<core::Scene>();
   for (int i = 0; i < 9000; ++i) {

@@ -6,15 +6,16 @@ class BuiltInScenesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void listsTheReportsScenesInMenuOrder();
+  void listsTheReportsScenesFirst();
   void describesEachSceneInOneSentence();
   void opensByNameOrAsAFile();
   void demonstrationShowsTwoMethodsOnSevenWeights();
 };
 
-void BuiltInScenesTest::listsTheReportsScenesInMenuOrder() {
-  QCOMPARE(ui::builtInScenes(),
+void BuiltInScenesTest::listsTheReportsScenesFirst() {
+  QCOMPARE(ui::builtInScenes().mid(0, 4),
            (QStringList{"one-pendulum", "two-weights", "three-pendulums", "seven-weights"}));
+  QVERIFY(ui::builtInScenes().size() >= 12);
 }
 
 void BuiltInScenesTest::describesEachSceneInOneSentence() {

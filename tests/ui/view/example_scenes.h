@@ -67,6 +67,22 @@ inline ui::ShownScene everything(ui::Trails& trails) {
   return shown;
 }
 
+/// The same with all arrows, a selected weight whose draft is refused, and all tools.
+inline ui::ShownScene marked(ui::ShownScene shown) {
+  shown.marks.arrows = {.velocities = true, .forces = true, .tensions = true};
+  core::Weight rejected = shown.scene.weights[2];
+  rejected.rope->angle = 1;
+  shown.marks.selection = ui::ShownSelection{2, true, {"Weight 3", "Angle 57°"}, rejected};
+  shown.marks.tools.tape = ui::MeasuringTape{{1, 1}, {2.5, 0.6}};
+  shown.marks.tools.protractor = ui::Protractor{{2, 2}, {3, 2}, {2, 2.5}};
+  shown.marks.tools.stopwatch = ui::Stopwatch();
+  for (core::WeightState& state : shown.runs[0].weights) {
+    state.velocity = {0.5, 1};
+    if (state.phase == core::Phase::kTethered) state.tension = 2;
+  }
+  return shown;
+}
+
 inline ui::SceneLook look(bool dark = false) {
   ui::SceneLook look{dark ? ui::Theme::darkTheme() : ui::Theme::light(), QFont("DejaVu Sans")};
   look.font.setPixelSize(16);

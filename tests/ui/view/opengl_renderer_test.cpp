@@ -4,6 +4,8 @@
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLVersionFunctionsFactory>
 #include <QTest>
 
 #include "tests/ui/view/example_scenes.h"
@@ -19,6 +21,7 @@ class OpenGlRendererTest : public QObject {
   void looksLikeTheOtherPainter_data();
   void looksLikeTheOtherPainter();
   void paintsManyFramesOfAnyLength();
+  void paintsAHundredThousandWeightsInOneCall();
 
  private:
   QImage imageOf(const ui::Drawing& drawing, const ui::Camera& camera);
@@ -63,7 +66,7 @@ void OpenGlRendererTest::looksLikeTheOtherPainter() {
   QFETCH(double, ratio);
   QFETCH(double, zoom);
   ui::Trails trails;
-  const ui::ShownScene shown = example::everything(trails);
+  const ui::ShownScene shown = example::marked(example::everything(trails));
   ui::Camera camera = example::camera(shown, {800, 600}, ratio);
   camera.zoomAt(camera.toPixels({0.6, 1.1}), zoom);
   ui::Drawing drawing = ui::sceneDrawing(shown, trails, camera, example::look(dark));
@@ -89,6 +92,32 @@ void OpenGlRendererTest::paintsManyFramesOfAnyLength() {
     renderer->paint(ui::sceneDrawing(shown, ui::Trails(), camera, example::look()), camera);
   }
   QCOMPARE(m_context.functions()->glGetError(), GLenum(GL_NO_ERROR));
+}
+
+void OpenGlRendererTest::paintsAHundredThousandWeightsInOneCall() {
+  constexpr int kWeights = 100000;
+  const std::unique_ptr<ui::OpenGlRenderer> renderer = ui::OpenGlRenderer::create();
+  QOpenGLFramebufferObject target(80, 60);
+  target.bind();
+  const ui::ShownScene shown = example::freeWeights(kWeights, 0.02, 0.1);
+  const ui::Camera camera = example::camera(shown, {80, 60});
+  const ui::Drawing drawing = ui::sceneDrawing(shown, ui::Trails(), camera, example::look());
+  // OpenGL's own count of triangles: two for each shape.
+  auto* functions = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(&m_context);
+  GLuint query = 0;
+  functions->glGenQueries(1, &query);
+  functions->glBeginQuery(GL_PRIMITIVES_GENERATED, query);
+  for (int frame = 1; frame <= 2; ++frame) {
+    renderer->paint(drawing, camera);
+    QCOMPARE(renderer->work().uploads, frame);
+    QCOMPARE(renderer->work().drawCalls, frame);
+  }
+  functions->glEndQuery(GL_PRIMITIVES_GENERATED);
+  GLuint triangles = 0;
+  functions->glGetQueryObjectuiv(query, GL_QUERY_RESULT, &triangles);
+  functions->glDeleteQueries(1, &query);
+  QVERIFY(renderer->work().shapes >= 2 * kWeights);
+  QCOMPARE(static_cast<std::int64_t>(triangles), 2 * renderer->work().shapes);
 }
 
 QTEST_MAIN(OpenGlRendererTest)

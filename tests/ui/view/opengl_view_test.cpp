@@ -1,11 +1,18 @@
+#include <QLabel>
 #include <QMainWindow>
 #include <QOpenGLWidget>
+#include <QSettings>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/run/run.h"
 #include "tests/ui/view/image_difference.h"
+#include "ui/control/run_controller.h"
+#include "ui/control/settings.h"
+#include "ui/main_window.h"
 #include "ui/view/opengl_probe.h"
+#include "ui/view/scene_canvas.h"
 #include "ui/view/scene_view.h"
 
 class OpenGlViewTest : public QObject {
@@ -17,8 +24,11 @@ class OpenGlViewTest : public QObject {
   void prefersQPainterToSoftwareOpenGl();
   void survivesAnotherWindow();
   void switchesWhileShown();
+  void goesOnWithQPainterWhereOpenGlIsLost();
 
  private:
+  QTemporaryDir m_folder;  // for settings
+
   static std::unique_ptr<core::Run> swing() {
     core::Scene scene;
     for (int i = 0; i < 3; ++i) {
@@ -45,6 +55,7 @@ class OpenGlViewTest : public QObject {
 
 void OpenGlViewTest::initTestCase() {
   QVERIFY2(ui::probeOpenGl().usable, "these tests need OpenGL 3.3");
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
 }
 
 void OpenGlViewTest::drawsTheSameWithBothPainters() {
@@ -112,6 +123,32 @@ void OpenGlViewTest::switchesWhileShown() {
   view->setPainterChoice(ui::PainterChoice::kQPainter);
   QTRY_COMPARE(view->findChildren<QOpenGLWidget*>().size(), 0);
   QCOMPARE(changed.count(), 2);
+}
+
+void OpenGlViewTest::goesOnWithQPainterWhereOpenGlIsLost() {
+  ui::Settings().setPainter(ui::PainterChoice::kOpenGl);
+  core::Scene scene = swing()->scene();
+  scene.solvers = {{.method = "rk4"}, {.method = "euler"}};
+  ui::MainWindow window(scene);
+  show(window);
+  auto* view = window.findChild<ui::SceneView*>();
+  const auto* painter = window.findChild<QLabel*>("painter");
+  QVERIFY(painter->text().contains("OpenGL "));
+  const QImage before = picture(*view);
+  // As OpenGL does when the driver has reset it, in the middle of painting.
+  auto* canvas = view->findChild<ui::OpenGlCanvas*>();
+  QVERIFY(canvas);
+  emit canvas->failed();
+  QTRY_COMPARE(view->findChildren<QOpenGLWidget*>().size(), 0);
+  QCOMPARE(painter->text(), "Drawn by QPainter (OpenGL was lost)");
+  const ImageDifference difference = differenceOf(picture(*view), before);
+  // As in drawsTheSameWithBothPainters, but words fill more of so small a view.
+  QVERIFY2(difference.shareApart < 0.03, qPrintable(difference.inWords()));
+  window.controller()->setStopwatch([] { return 0.0; });
+  window.controller()->play();
+  window.controller()->passTime(0.1);
+  QVERIFY(differenceOf(picture(*view), before).shareApart > 1e-4);
+  ui::Settings().setPainter(ui::PainterChoice::kAutomatic);
 }
 
 QTEST_MAIN(OpenGlViewTest)

@@ -71,7 +71,7 @@ void QPainterRendererTest::imagesLookLikeVectorPictures() {
   QFETCH(bool, dark);
   QFETCH(double, ratio);
   ui::Trails trails;
-  const ui::ShownScene shown = example::everything(trails);
+  const ui::ShownScene shown = example::marked(example::everything(trails));
   const ui::Camera camera = example::camera(shown, {800, 600}, ratio);
   const ui::Drawing drawing = ui::sceneDrawing(shown, trails, camera, example::look(dark));
   const ImageDifference difference =
@@ -92,6 +92,7 @@ void QPainterRendererTest::paintsArrowsThatPointToTheirTip() {
     QCOMPARE(image.pixel(40, 50), 0xff000000);  // shaft
     QCOMPARE(image.pixel(40, 55), 0xffffffff);  // beside the shaft
     QCOMPARE(image.pixel(76, 54), 0xff000000);  // head, wider than the shaft
+    QCOMPARE(image.pixel(88, 54), 0xffffffff);  // beside the head, which has narrowed there
     QCOMPARE(image.pixel(92, 50), 0xffffffff);  // beyond the tip
   }
 }

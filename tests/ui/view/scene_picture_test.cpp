@@ -43,10 +43,10 @@ class ScenePictureTest : public QObject {
     return runs;
   }
 
-  QString write(const QString& file, const ui::Trails* trails = nullptr) const {
+  QString write(const QString& file, const ui::PicturedMarks& pictured = {}) const {
     const std::vector<core::Run> runs = startedRuns();
     return ui::writeScenePicture(file, {&runs[0], &runs[1]}, runs[0].time(), QSize(600, 450),
-                                 trails);
+                                 pictured);
   }
 
   static QByteArray contentOf(const QString& file) {
@@ -95,7 +95,7 @@ void ScenePictureTest::trailsAreDrawnWhenGiven() {
     trails.record(3 - height, runs);
   }
   QCOMPARE(write(path("without.png")), QString());
-  QCOMPARE(write(path("with.png"), &trails), QString());
+  QCOMPARE(write(path("with.png"), {.trails = &trails}), QString());
   QVERIFY(QImage(path("without.png")) != QImage(path("with.png")));
 }
 

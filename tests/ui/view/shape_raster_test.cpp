@@ -46,6 +46,7 @@ class ShapeRasterTest : public QObject {
   void partOfARectanglesPixelIsPartlyCovered();
   void shapesOutsideOfTheImagePaintNothing();
   void keepsTheImageOpaque();
+  void paintsManyShapesToTheSamePixels();
 };
 
 void ShapeRasterTest::discsCoverTheirAreaWhereverTheyLie_data() {
@@ -60,7 +61,7 @@ void ShapeRasterTest::discsCoverTheirAreaWhereverTheyLie() {
   QFETCH(double, radius);
   QFETCH(double, offset);
   QImage image = black();
-  ui::paintShape(ui::discShape({32 + offset, 32 - offset}, radius, 0, kWhite, 0), image);
+  ui::paintShapes({ui::discShape({32 + offset, 32 - offset}, radius, 0, kWhite, 0)}, image);
   // The soft edge is linear in the distance, and colors have 255 steps: 3 % at one pixel.
   const double exact = std::numbers::pi * radius * radius;
   QVERIFY2(std::abs(paintedArea(image) / exact - 1) < 0.08 / radius,
@@ -69,7 +70,7 @@ void ShapeRasterTest::discsCoverTheirAreaWhereverTheyLie() {
 
 void ShapeRasterTest::discsStandAtTheirExactPlace() {
   QImage image = black();
-  ui::paintShape(ui::discShape({30.3, 40.6}, 5, 0, kWhite, 0), image);
+  ui::paintShapes({ui::discShape({30.3, 40.6}, 5, 0, kWhite, 0)}, image);
   double x = 0;
   double y = 0;
   for (int row = 0; row < 64; ++row)
@@ -85,7 +86,7 @@ void ShapeRasterTest::discsStandAtTheirExactPlace() {
 
 void ShapeRasterTest::outlinesLieInsideTheEdge() {
   QImage image = black();
-  ui::paintShape(ui::discShape({32, 32}, 20, 4, 0xffff0000, 0xff0000ff), image);
+  ui::paintShapes({ui::discShape({32, 32}, 20, 4, 0xffff0000, 0xff0000ff)}, image);
   QCOMPARE(image.pixel(32, 32), qRgb(255, 0, 0));
   QCOMPARE(image.pixel(32 + 14, 32), qRgb(255, 0, 0));
   QCOMPARE(image.pixel(32 + 17, 32), qRgb(0, 0, 255));
@@ -95,7 +96,7 @@ void ShapeRasterTest::outlinesLieInsideTheEdge() {
 void ShapeRasterTest::ringsLeaveTheirInsideAlone() {
   QImage image = black();
   image.fill(0xff123456);
-  ui::paintShape(ui::discShape({32, 32}, 20, 3, 0, kWhite), image);
+  ui::paintShapes({ui::discShape({32, 32}, 20, 3, 0, kWhite)}, image);
   QCOMPARE(image.pixel(32, 32), 0xff123456);
   QCOMPARE(image.pixel(32 + 18, 32), kWhite);
 }
@@ -121,7 +122,8 @@ void ShapeRasterTest::strokesCoverTheirArea() {
   QFETCH(int, ends);
   QImage image = black();
   const QPointF from(10, 10);
-  ui::paintShape(ui::strokeShape(from, to, width, kWhite, static_cast<ui::ShapeEnds>(ends)), image);
+  ui::paintShapes({ui::strokeShape(from, to, width, kWhite, static_cast<ui::ShapeEnds>(ends))},
+                  image);
   const double caps = static_cast<ui::ShapeEnds>(ends) == ui::ShapeEnds::kRound
                           ? std::numbers::pi * width * width / 4
                           : 0;
@@ -146,7 +148,7 @@ void ShapeRasterTest::joinedStrokesNeitherOverlapNorLeaveGaps() {
   std::vector<ui::Shape> shapes;
   ui::addShapes(layer, camera, shapes);
   QImage image = black();
-  for (const ui::Shape& shape : shapes) ui::paintShape(shape, image);
+  ui::paintShapes(shapes, image);
 
   for (int i = 1; i < 240; ++i) {
     const double angle = i * std::numbers::pi / 240;
@@ -159,7 +161,7 @@ void ShapeRasterTest::joinedStrokesNeitherOverlapNorLeaveGaps() {
 
 void ShapeRasterTest::uprightRectanglesFillWholePixels() {
   QImage image = black();
-  ui::paintShape(ui::strokeShape({10, 20}, {30, 20}, 10, kWhite, ui::ShapeEnds::kFlat), image);
+  ui::paintShapes({ui::strokeShape({10, 20}, {30, 20}, 10, kWhite, ui::ShapeEnds::kFlat)}, image);
   QCOMPARE(paintedArea(image), 200.0);
   QCOMPARE(image.pixel(10, 15), kWhite);
   QCOMPARE(image.pixel(29, 24), kWhite);
@@ -167,7 +169,7 @@ void ShapeRasterTest::uprightRectanglesFillWholePixels() {
 
 void ShapeRasterTest::partOfARectanglesPixelIsPartlyCovered() {
   QImage image = black();
-  ui::paintShape(ui::strokeShape({10.5, 20}, {30, 20}, 11, kWhite, ui::ShapeEnds::kFlat), image);
+  ui::paintShapes({ui::strokeShape({10.5, 20}, {30, 20}, 11, kWhite, ui::ShapeEnds::kFlat)}, image);
   // 19.5 × 11; each half covered pixel rounds by up to a 256th, and 60 of them lie at its rim.
   QVERIFY(std::abs(paintedArea(image) - 19.5 * 11) < 60.0 / 256);
 }
@@ -175,11 +177,11 @@ void ShapeRasterTest::partOfARectanglesPixelIsPartlyCovered() {
 void ShapeRasterTest::shapesOutsideOfTheImagePaintNothing() {
   QImage image = black();
   for (const double far : {-40.0, 120.0, 1e6}) {
-    ui::paintShape(ui::discShape({far, 20}, 10, 1, kWhite, kWhite), image);
-    ui::paintShape(ui::discShape({20, far}, 10, 1, kWhite, kWhite), image);
+    ui::paintShapes({ui::discShape({far, 20}, 10, 1, kWhite, kWhite)}, image);
+    ui::paintShapes({ui::discShape({20, far}, 10, 1, kWhite, kWhite)}, image);
     for (const auto ends : {ui::ShapeEnds::kFlat, ui::ShapeEnds::kJoined, ui::ShapeEnds::kRound}) {
-      ui::paintShape(ui::strokeShape({far, far}, {far + 9, far}, 5, kWhite, ends), image);
-      ui::paintShape(ui::strokeShape({20, far}, {30, far + 5}, 5, kWhite, ends), image);
+      ui::paintShapes({ui::strokeShape({far, far}, {far + 9, far}, 5, kWhite, ends)}, image);
+      ui::paintShapes({ui::strokeShape({20, far}, {30, far + 5}, 5, kWhite, ends)}, image);
     }
   }
   QCOMPARE(paintedArea(image), 0.0);
@@ -187,9 +189,25 @@ void ShapeRasterTest::shapesOutsideOfTheImagePaintNothing() {
 
 void ShapeRasterTest::keepsTheImageOpaque() {
   QImage image = black();
-  ui::paintShape(ui::discShape({32, 32}, 20, 2, 0x40ff0000, 0x8000ff00), image);
+  ui::paintShapes({ui::discShape({32, 32}, 20, 2, 0x40ff0000, 0x8000ff00)}, image);
   for (int x = 0; x < 64; ++x)
     QVERIFY(qAlpha(reinterpret_cast<const QRgb*>(image.constScanLine(32))[x]) == 255);
+}
+
+void ShapeRasterTest::paintsManyShapesToTheSamePixels() {
+  std::vector<ui::Shape> shapes;
+  for (int i = 0; i < 5000; ++i) {
+    const QPointF place(i * 7 % 101, i * 13 % 103);
+    shapes.push_back(ui::discShape(place, 1 + i % 9, i % 3, 0xc0204080 + i, 0xff000000));
+    shapes.push_back(ui::strokeShape(place, place + QPointF(i % 11, i % 5), 2, 0x80ff0000,
+                                     static_cast<ui::ShapeEnds>(i % 3)));
+  }
+  QImage all(97, 89, QImage::Format_RGB32);
+  all.fill(kWhite);
+  QImage oneByOne = all;
+  ui::paintShapes(shapes, all);
+  for (const ui::Shape& shape : shapes) ui::paintShapes({shape}, oneByOne);
+  QCOMPARE(all, oneByOne);
 }
 
 QTEST_GUILESS_MAIN(ShapeRasterTest)
