@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFileInfo>
 
+#include "core/system/screen.h"
 #include "ui/control/translations.h"
 #include "ui/files/scene_file.h"
 #include "ui/main_window.h"
@@ -10,16 +11,11 @@
 namespace app {
 
 bool hasDisplay() {
-#ifdef Q_OS_LINUX
   const QString platform = qEnvironmentVariable("QT_QPA_PLATFORM");
   if (platform == QStringLiteral("offscreen") || platform == QStringLiteral("minimal")) {
     return false;
   }
-  return !platform.isEmpty() || !qEnvironmentVariableIsEmpty("DISPLAY") ||
-         !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
-#else
-  return true;
-#endif
+  return !platform.isEmpty() || core::hasScreen();
 }
 
 ExitStatus runWindow(const WindowCall& call) {
