@@ -15,6 +15,7 @@
 #include "app/simulate_command.h"
 #include "app/window_command.h"
 #include "core/system/streams.h"
+#include "ui/control/first_scene.h"
 
 namespace {
 
@@ -63,7 +64,7 @@ class Dispatch {
       return app::runWindow(call);
     }
     const std::unique_ptr<QApplication> application = applicationWithoutDisplay();
-    return app::runDemonstration(call.scene);
+    return app::runDemonstration(call.scene.isEmpty() ? ui::kDemonstration : call.scene);
   }
 
  private:

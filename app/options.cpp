@@ -165,7 +165,7 @@ Call windowCall(const QStringList& given) {
   if (arguments.has(kVersion)) return VersionCall{};
   const QStringList scenes = arguments.words(2);
   if (scenes.size() > 1) throw CallRefused{Texts::tr("unknown command \"%1\"").arg(scenes[0])};
-  return WindowCall{scenes.value(0, QStringLiteral("seven-weights"))};
+  return WindowCall{scenes.value(0)};
 }
 
 Call callOf(const QStringList& given) {

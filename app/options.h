@@ -12,7 +12,7 @@ namespace app {
 
 /// `angrycuts [SCENE]`: open the window.
 struct WindowCall {
-  QString scene;
+  QString scene;  ///< empty: the one of last time
 };
 
 /// `angrycuts scenes`: list the built-in scenes, or write them as files.

@@ -1,11 +1,12 @@
 #include "app/window_command.h"
 
 #include <QApplication>
-#include <QFileInfo>
+#include <QStatusBar>
 
 #include "core/system/screen.h"
+#include "ui/control/draft_keeper.h"
+#include "ui/control/first_scene.h"
 #include "ui/control/translations.h"
-#include "ui/files/scene_file.h"
 #include "ui/main_window.h"
 
 namespace app {
@@ -20,11 +21,12 @@ bool hasDisplay() {
 
 ExitStatus runWindow(const WindowCall& call) {
   ui::installTranslations(*QCoreApplication::instance());
-  const ui::SceneOrError read = ui::readFileOrBuiltIn(call.scene);
-  if (!read.scene) return failure(kRefused, call.scene + QStringLiteral(": ") + read.error);
-  const QString file = QFileInfo::exists(call.scene) ? call.scene : QString();
-  ui::MainWindow window(*read.scene, file);
+  const ui::FirstScene first = ui::firstScene(call.scene);
+  if (!first.scene) return failure(kRefused, call.scene + QStringLiteral(": ") + first.message);
+  ui::MainWindow window(*first.scene, first.file);
+  window.keepDraftsIn(ui::draftFolder());
   window.show();
+  window.statusBar()->showMessage(first.message);
   return QApplication::exec() == 0 ? kSuccess : kFailed;
 }
 

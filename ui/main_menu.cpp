@@ -49,6 +49,7 @@ void MainMenu::addButtons(QMenuBar* bar, const Commands& commands) {
 void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* file = bar->addMenu(tr("&File"));
   addCommands(file, commands, {Command::kNew, Command::kOpen, Command::kLessons});
+  m_recent = file->addMenu(tr("Open &recent"));
   m_scenes = file->addMenu(tr("&Built-in scenes"));
   m_scenes->setToolTipsVisible(true);
   connect(m_scenes, &QMenu::aboutToShow, this, &MainMenu::listBuiltInScenes);
@@ -64,6 +65,8 @@ void MainMenu::addFileMenu(QMenuBar* bar, const Commands& commands) {
 void MainMenu::addEditMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* edit = bar->addMenu(tr("&Edit"));
   addCommands(edit, commands, {Command::kUndo, Command::kRedo});
+  edit->addSeparator();
+  addCommands(edit, commands, {Command::kWeightsTable});
 }
 
 void MainMenu::addRunMenu(QMenuBar* bar, const Commands& commands) {

@@ -21,6 +21,8 @@ class MainMenu : public QObject {
 
   /// Where the panels' switches belong.
   QMenu* panels() const { return m_panels; }
+  /// Where the files opened last belong.
+  QMenu* recentFiles() const { return m_recent; }
 
   /// Offers one choice of several under a heading in the view menu.
   void addChoice(const QString& title, const QStringList& words, int chosen,
@@ -46,6 +48,7 @@ class MainMenu : public QObject {
   void listBuiltInScenes();
 
   QMenu* m_scenes;
+  QMenu* m_recent;
   QMenu* m_ledgers;
   QMenu* m_view;
   QMenu* m_panels;

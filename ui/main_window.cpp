@@ -16,13 +16,18 @@
 #include <QVBoxLayout>
 
 #include "ui/control/commands.h"
+#include "ui/control/draft_keeper.h"
 #include "ui/control/event_navigator.h"
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
 #include "ui/control/lesson_guide.h"
+#include "ui/control/problem_words.h"
+#include "ui/control/recent_files.h"
+#include "ui/control/recovery.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
 #include "ui/control/scene_commands.h"
+#include "ui/control/scene_drop.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
 #include "ui/control/scene_target.h"
@@ -41,7 +46,6 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/panel_title.h"
 #include "ui/panels/playback_bar.h"
-#include "ui/panels/problem_words.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
 #include "ui/panels/scene_toolbar.h"
@@ -51,9 +55,11 @@
 #include "ui/panels/trade_window.h"
 #include "ui/panels/travel_bar.h"
 #include "ui/panels/weights_form.h"
+#include "ui/panels/weights_table.h"
 #include "ui/style/appearance.h"
 #include "ui/style/icons.h"
 #include "ui/view/scene_area.h"
+#include "ui/window_memory.h"
 
 namespace ui {
 namespace {
@@ -115,17 +121,36 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectTarget();
   startScene();
   showTitle();
+  memory().restore();
 }
 
 MainWindow::~MainWindow() = default;
 
+WindowMemory MainWindow::memory() {
+  return {this, *m_commands, m_controller, m_charts};
+}
+
+void MainWindow::keepDraftsIn(const QString& folder) {
+  m_drafts = new DraftKeeper(m_editor, folder, DraftKeeper::kUsualDelay, this);
+  auto* recovery = new Recovery(m_editor, m_files, m_drafts, folder, this);
+  connect(m_drafts, &DraftKeeper::failed, this, [this](const QString& reason) {
+    statusBar()->showMessage(tr("Unsaved changes cannot be kept for a crash: %1").arg(reason));
+  });
+  connect(recovery, &Recovery::offered, m_recoveryBar, &MessageBar::say);
+  connect(m_recoveryBar, &MessageBar::accepted, recovery, &Recovery::bringBack);
+  connect(m_recoveryBar, &MessageBar::otherAccepted, recovery, &Recovery::discard);
+  recovery->start();
+}
+
 void MainWindow::buildCentre() {
+  m_recoveryBar = new MessageBar(tr("Bring them back"), tr("Discard"));
   m_problemBar = new MessageBar(tr("Undo the change"));
   m_stopBar = new MessageBar;
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  layout->addWidget(m_recoveryBar);
   layout->addWidget(m_problemBar);
   layout->addWidget(m_stopBar);
   auto* bench = new QHBoxLayout;
@@ -168,6 +193,10 @@ void MainWindow::buildPanels() {
   auto* eventsPanel = new EventsPanel(m_controller, m_events);
   QDockWidget* events = addPanel(Qt::BottomDockWidgetArea, "events", tr("Events"), eventsPanel);
   linkSelection(m_selection, m_editor, {weightsForm, step, m_charts, eventsPanel});
+  auto* table = new WeightsTable(m_editor, m_selection);
+  QDockWidget* tableDock =
+      addPanel(Qt::BottomDockWidgetArea, "weightsTable", tr("Weights table"), table);
+  tabifyDockWidget(opened, tableDock);
   tabifyDockWidget(lesson, scene);
   tabifyDockWidget(scene, weights);
   tabifyDockWidget(charts, events);
@@ -175,6 +204,14 @@ void MainWindow::buildPanels() {
   for (QDockWidget* dock : {lesson, scene, weights}) dock->setTitleBarWidget(new QWidget(dock));
   runs->setTitleBarWidget(new PanelTitle(runs, nullptr));
   charts->setTitleBarWidget(new PanelTitle(charts, m_charts->choosers()));
+  tableDock->setTitleBarWidget(new PanelTitle(tableDock, table->buttons()));
+  const QAction* showTable = m_commands->action(Command::kWeightsTable);
+  connect(showTable, &QAction::triggered, this, [tableDock, table] {
+    tableDock->show();
+    tableDock->raise();
+    table->takeKeyboard();
+  });
+  connect(weightsForm, &WeightsForm::tableWanted, showTable, &QAction::trigger);
   events->setTitleBarWidget(new PanelTitle(events, eventsPanel->filters()));
   scene->raise();
   charts->raise();
@@ -294,6 +331,8 @@ void MainWindow::connectFiles() {
   on(Command::kMeasure, this, &MainWindow::showTrade);
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
+  new RecentFiles(m_files, m_menu->recentFiles());
+  new SceneDrop(m_files, this);
   connect(m_menu, &MainMenu::builtInChosen, m_files, &SceneFiles::openBuiltIn);
   connect(m_menu, &MainMenu::ledgerChosen, m_exports, &Exports::askAndSaveLedger);
 
@@ -302,6 +341,7 @@ void MainWindow::connectFiles() {
   connect(new UndoCommands(*m_commands, m_editor, this), &UndoCommands::done, this, say);
   connect(m_events, &EventNavigator::nothingFound, this, say);
   connect(findChild<EventsPanel*>(), &EventsPanel::done, this, say);
+  connect(findChild<WeightsTable*>(), &WeightsTable::done, this, say);
   connect(m_exports, &Exports::done, this, say);
   connect(m_editor, &SceneEditor::fileChanged, this, &MainWindow::showTitle);
   connect(m_editor, &SceneEditor::sceneReplaced, this, &MainWindow::showTitle);
@@ -396,7 +436,9 @@ void MainWindow::showWhenToCut() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(m_files->mayLeaveScene());
-  if (event->isAccepted()) Settings().setPanels(saveState());
+  if (!event->isAccepted()) return;
+  memory().save();
+  if (m_drafts) m_drafts->letGo();
 }
 
 }  // namespace ui

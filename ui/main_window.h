@@ -14,6 +14,7 @@ class Appearance;
 class ChartsPanel;
 class Commands;
 class CutWindow;
+class DraftKeeper;
 class EventNavigator;
 class Exports;
 class FrameTicker;
@@ -29,6 +30,7 @@ class SceneFiles;
 class Selection;
 class TargetControl;
 class TradeWindow;
+class WindowMemory;
 
 /// The window: the scene in the middle, forms at its side, charts below. Puts the
 /// parts together and passes on what they say; each part does its own work.
@@ -42,6 +44,9 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const core::Scene& scene, const QString& file = {},
                       QWidget* parent = nullptr);
   ~MainWindow() override;
+
+  /// Keeps what is not saved in this folder from now on, and offers what others have left there.
+  void keepDraftsIn(const QString& folder);
 
   RunController* controller() const { return m_controller; }
   SceneEditor* editor() const { return m_editor; }
@@ -57,6 +62,7 @@ class MainWindow : public QMainWindow {
   void showEvent(QShowEvent* event) override;
 
  private:
+  WindowMemory memory();
   void buildCentre();
   void buildPanels();
   QDockWidget* addPanel(Qt::DockWidgetArea area, const QString& name, const QString& title,
@@ -97,9 +103,11 @@ class MainWindow : public QMainWindow {
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
   LessonGuide* m_lessons;
+  MessageBar* m_recoveryBar;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;
   QLabel* m_painterLabel;
+  DraftKeeper* m_drafts = nullptr;   // none: nothing is kept
   TradeWindow* m_trade = nullptr;    // made when it is wanted first
   CutWindow* m_whenToCut = nullptr;  // likewise
   bool m_panelsSized = false;        // once: from then on the user decides

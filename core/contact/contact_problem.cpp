@@ -14,6 +14,26 @@ int strideFor(int count) {
   return stride;
 }
 
+DragRow dragRow(const RestingContact& contact, const RestingWeight& weight, int push) {
+  DragRow row{};
+  row.a = contact.a;
+  row.push = push;
+  row.tangent = freePart(weight, {-contact.normal.y(), contact.normal.x()});
+  row.response = row.tangent / weight.mass;
+  row.compliance = row.response.dot(row.tangent);
+  row.stiffness = row.compliance > 0 ? 1 / row.compliance : 0;
+  row.friction = contact.friction;
+  row.drag = contact.drag;
+  return row;
+}
+
+}  // namespace
+
+Eigen::Vector2d freePart(const RestingWeight& weight, const Eigen::Vector2d& direction) {
+  if (weight.track.isZero(0)) return direction;
+  return weight.track.dot(direction) * weight.track;
+}
+
 PushRow pushRow(const RestingContact& contact, std::span<const RestingWeight> weights,
                 double duration) {
   PushRow row{};
@@ -33,26 +53,6 @@ PushRow pushRow(const RestingContact& contact, std::span<const RestingWeight> we
   row.stiffness = row.compliance > 0 ? 1 / row.compliance : 0;
   row.push = contact.push;
   return row;
-}
-
-DragRow dragRow(const RestingContact& contact, const RestingWeight& weight, int push) {
-  DragRow row{};
-  row.a = contact.a;
-  row.push = push;
-  row.tangent = freePart(weight, {-contact.normal.y(), contact.normal.x()});
-  row.response = row.tangent / weight.mass;
-  row.compliance = row.response.dot(row.tangent);
-  row.stiffness = row.compliance > 0 ? 1 / row.compliance : 0;
-  row.friction = contact.friction;
-  row.drag = contact.drag;
-  return row;
-}
-
-}  // namespace
-
-Eigen::Vector2d freePart(const RestingWeight& weight, const Eigen::Vector2d& direction) {
-  if (weight.track.isZero(0)) return direction;
-  return weight.track.dot(direction) * weight.track;
 }
 
 ContactProblem::ContactProblem(std::span<const RestingWeight> weights,

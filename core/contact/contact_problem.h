@@ -29,6 +29,11 @@ struct PushRow {
   int b;  ///< index of a weight; for a surface, of the one past the last, which never moves
 };
 
+/// @param weights   indices in the contact refer to these
+/// @param duration  of the stretch [s], > 0
+PushRow pushRow(const RestingContact& contact, std::span<const RestingWeight> weights,
+                double duration);
+
 /// The friction at one contact with a surface: solved it has |drag| ≤ μ push, and either no
 /// slip or drag at that bound against it.
 struct DragRow {

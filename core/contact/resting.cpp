@@ -17,10 +17,12 @@ Eigen::Vector2d velocityChange(const RestingWeight& weight, const Eigen::Vector2
   return freePart(weight, impulse) / weight.mass;
 }
 
-Eigen::Vector2d relativeVelocity(const RestingContact& contact,
-                                 std::span<const RestingWeight> weights) {
-  if (contact.b < 0) return weights[contact.a].velocity;
-  return weights[contact.a].velocity - weights[contact.b].velocity;
+/// Of a to b, in the mean of before and after [m/s].
+Eigen::Vector2d meanVelocity(const RestingContact& contact, std::span<const Eigen::Vector2d> before,
+                             std::span<const RestingWeight> after) {
+  Eigen::Vector2d sum = before[contact.a] + after[contact.a].velocity;
+  if (contact.b >= 0) sum -= before[contact.b] + after[contact.b].velocity;
+  return sum / 2;
 }
 
 }  // namespace
@@ -44,23 +46,21 @@ void applyCarried(std::span<RestingWeight> weights, std::span<const RestingConta
   }
 }
 
-double inelasticLoss(std::span<const RestingContact> contacts,
-                     std::span<const Eigen::Vector2d> before,
-                     std::span<const RestingWeight> after) {
-  double loss = 0;
-  for (const RestingContact& contact : contacts) {
-    if (contact.push == 0) continue;
-    Eigen::Vector2d mean = before[contact.a] + after[contact.a].velocity;
-    if (contact.b >= 0) mean -= before[contact.b] + after[contact.b].velocity;
-    loss -= 0.5 * (contact.push * contact.normal + contact.drag * tangentOf(contact)).dot(mean);
-  }
-  return std::max(0.0, loss);  // rounding may leave −10⁻¹⁵ of nothing
-}
-
-double slipLoss(std::span<const RestingContact> contacts, std::span<const RestingWeight> after) {
+double pushLoss(std::span<const RestingContact> contacts, std::span<const Eigen::Vector2d> before,
+                std::span<const RestingWeight> after) {
   double loss = 0;
   for (const RestingContact& contact : contacts)
-    loss += std::abs(contact.drag * relativeVelocity(contact, after).dot(tangentOf(contact)));
+    if (contact.push > 0)
+      loss -= contact.push * contact.normal.dot(meanVelocity(contact, before, after));
+  return loss;
+}
+
+double dragLoss(std::span<const RestingContact> contacts, std::span<const Eigen::Vector2d> before,
+                std::span<const RestingWeight> after) {
+  double loss = 0;
+  for (const RestingContact& contact : contacts)
+    if (contact.drag != 0)
+      loss -= contact.drag * tangentOf(contact).dot(meanVelocity(contact, before, after));
   return loss;
 }
 

@@ -52,12 +52,13 @@ bool solveContacts(std::span<RestingWeight> weights, std::span<RestingContact> c
 /// Gives the impulses the contacts carry to the weights.
 void applyCarried(std::span<RestingWeight> weights, std::span<const RestingContact> contacts);
 
-/// Heat of solved contacts, for weights that had the velocities `before` [J], ≥ 0 in sum:
-/// −Σ push (v_n before + v_n after)/2, the work that inelastic contacts take.
-double inelasticLoss(std::span<const RestingContact> contacts,
-                     std::span<const Eigen::Vector2d> before, std::span<const RestingWeight> after);
+/// What the pushes of solved contacts take from weights that had the velocities `before`:
+/// −Σ push (v_n before + v_n after)/2 [J].
+double pushLoss(std::span<const RestingContact> contacts, std::span<const Eigen::Vector2d> before,
+                std::span<const RestingWeight> after);
 
-/// What sliding on surfaces takes: Σ |drag v_t| with the slip after [J].
-double slipLoss(std::span<const RestingContact> contacts, std::span<const RestingWeight> after);
+/// What friction on surfaces takes: −Σ drag (v_t before + v_t after)/2 [J].
+double dragLoss(std::span<const RestingContact> contacts, std::span<const Eigen::Vector2d> before,
+                std::span<const RestingWeight> after);
 
 }  // namespace core

@@ -111,7 +111,6 @@ class Engine {
   void meet(const Upcoming& event);
   void exchange(const Upcoming& event, double s, const Entries& beforeA, const Entries& beforeB,
                 const Eigen::Vector2d& normal);
-  void logRest(int index, double s, const Entries& state);
   bool joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal);
   bool meetsTooOften(int a, int b);
   void hitWall(const Upcoming& event);
@@ -152,19 +151,25 @@ class Engine {
   };
   void settle(double s, bool foresee);
   std::vector<int> wakeTouching();
-  void solveImpacts(Group& group, double s);
-  void solveSupport(Group& group, double s, double duration);
+  void pull(Group& group, double s, double duration);
+  void warmStart(Group& group) const;
+  void letGo(Group& group, double s);
   void carryImpulses(const Group& group);
   void fallAsleep(const Group& group, double s, double duration);
-  void releaseOrKeep(const Group& group, double s, bool foresee);
-  void spread(double s, const std::vector<int>& seeds, double approach);
-  bool expandHit(Group& group, int seeds, double tolerance);
+  void goOnInGroup(const Group& group, double s, bool foresee);
+  void hitGroup(int a, int b, double s, const Eigen::Vector2d& normal, double restitution,
+                const std::vector<int>& landing);
+  void logHit(const Group& group, double s, double lost, const std::vector<int>& landing);
+  class HitWave;
   void moveSpread(const Group& group, double s);
   bool isSupported(int index) const;
   Entries withVelocity(int index, Mode mode, const Entries& state,
                        const Eigen::Vector2d& velocity) const;
   void loseQuietly(double s, double impacts, double friction);
   double boundaryAfter(double s) const;
+  /// How much less exactly groups as large as the largest now are solved, ≥ 1.
+  double looseness() const;
+  int mostSweeps() const;
 
   // Weights in their states.
   const Piece& pieceAt(int index, double s) const;
@@ -200,6 +205,7 @@ class Engine {
   std::vector<Moving> m_moving;
   std::vector<FinishedPiece> m_finished;
   double m_fastestSettled = 0;  // since forces were found anew [m/s]
+  int m_settledCount = 0;       // awake, when forces were found anew
   std::vector<int> m_localOf;   // of weights in the group being solved, or −1
   std::vector<Box> m_boxes;
   BroadPhase m_broadPhase;

@@ -207,9 +207,21 @@ void Engine::exchange(const Upcoming& event, double s, const Entries& beforeA,
   const Piece pieceA = m_moving[a].piece, pieceB = m_moving[b].piece;
   const CollidingWeight weightA = colliding(a, pieceA.mode, beforeA);
   const CollidingWeight weightB = colliding(b, pieceB.mode, beforeB);
-  const double approach = (weightA.velocity - weightB.velocity).dot(normal);
-  const bool joins = joinAtRest(event, approach, normal);
+  const bool joins = joinAtRest(event, (weightA.velocity - weightB.velocity).dot(normal), normal);
   const double e = joins ? 0 : m_scene->restitution;
+  if (joins || pieceA.settled || pieceB.settled) {
+    std::vector<int> landing;
+    for (const int i : {a, b})
+      if (joins && !isSupported(i)) landing.push_back(i);
+    for (const int i : {a, b}) {
+      const Piece piece = m_moving[i].piece;
+      const Entries& before = i == a ? beforeA : beforeB;
+      const bool settles = piece.settled || joins;
+      goOn(i, s, before, modeAfterPush(piece.mode, before, settles), before, piece.tied, settles);
+      if (m_diverged) return;
+    }
+    return hitGroup(a, b, s, normal, e, landing);
+  }
   const double impulse = collisionImpulse(weightA, weightB, normal, e);
   const Entries afterA = pushed(a, pieceA.mode, beforeA, weightA.velocityChange(-impulse, normal));
   const Entries afterB = pushed(b, pieceB.mode, beforeB, weightB.velocityChange(impulse, normal));
@@ -217,29 +229,12 @@ void Engine::exchange(const Upcoming& event, double s, const Entries& beforeA,
     log(EventKind::kImpactWeight, s, a, readOut(a, pieceA.mode, pieceA.tied, beforeA),
         readOut(a, pieceA.mode, pieceA.tied, afterA), collisionLoss(weightA, weightB, normal, e),
         b);
-  const bool settlesA = pieceA.settled || joins;
-  const bool settlesB = pieceB.settled || joins;
-  if (impulse > 0) {
-    if (settlesA && !isSupported(a)) logRest(a, s, afterA);
-    if (settlesB && !isSupported(b)) logRest(b, s, afterB);
-  }
-  goOn(a, s, beforeA, modeAfterPush(pieceA.mode, afterA, settlesA), afterA, pieceA.tied, settlesA);
+  goOn(a, s, beforeA, modeAfterPush(pieceA.mode, afterA, false), afterA, pieceA.tied, false);
   if (m_diverged) return;
-  goOn(b, s, beforeB, modeAfterPush(pieceB.mode, afterB, settlesB), afterB, pieceB.tied, settlesB);
-  if (m_diverged) return;
-  std::vector<int> settled;
-  if (settlesA) settled.push_back(a);
-  if (settlesB) settled.push_back(b);
-  if (!settled.empty()) spread(s, settled, approach);
+  goOn(b, s, beforeB, modeAfterPush(pieceB.mode, afterB, false), afterB, pieceB.tied, false);
   if (m_diverged) return;
   schedule(a);
   schedule(b);
-}
-
-void Engine::logRest(int index, double s, const Entries& state) {
-  const Piece& piece = m_moving[index].piece;
-  const WeightState there = readOut(index, piece.mode, piece.tied, state);
-  log(EventKind::kRest, s, index, there, there, 0);
 }
 
 bool Engine::joinAtRest(const Upcoming& event, double approach, const Eigen::Vector2d& normal) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/contact/impulse.h"
 #include "core/run/engine.h"
 #include "core/run/group.h"
 
@@ -14,11 +15,19 @@ namespace {
 
 // Forces in groups are found anew this often [1/s].
 constexpr double kSolvesPerSecond = 240;
-// What impacts leave of approaches, the forces of the same stretch take.
-constexpr ContactGoal kImpactGoal{.tolerance = 1e-5, .mostSweeps = 300};
-// 10⁻⁶ m/s makes a gap of 4 nm in a stretch. Where friction holds a heap in more ways than it
-// need be held, pushes go on changing without end, and with them velocities by less than that.
-constexpr ContactGoal kSupportGoal{.tolerance = 1e-6, .mostSweeps = 600};
+// Approaches are found to this share of the group's highest speed, within these bounds:
+// 3·10⁻⁵ m/s makes a gap of 0.1 µm in a stretch. What the sweeps leave undone, the next
+// stretch goes on with.
+constexpr double kShare = 1e-4;
+constexpr double kFinest = 1e-6;
+constexpr double kCoarsest = 3e-5;
+constexpr int kMostSweeps = 1200;
+constexpr int kLeastSweeps = 60;
+// Sweeps for a given accuracy grow with the depth of a heap: those of more weights than this are
+// solved more loosely, in proportion, but not more than ten times.
+constexpr double kExactlySolved = 200;
+constexpr double kLoosest = 10;
+
 // A group falls asleep when all its weights have been slower than this share of √(2 g r)
 // for this many times √(2 r / g), the time in which what stands on a point leaves it by a
 // factor of e: one that sets out to roll off another from 10⁻⁸ r off its top is faster by
@@ -27,6 +36,14 @@ constexpr double kStillSpeed = 1e-3;
 constexpr double kStillTimes = 13;
 
 }  // namespace
+
+double Engine::looseness() const {
+  return std::clamp(m_settledCount / kExactlySolved, 1.0, kLoosest);
+}
+
+int Engine::mostSweeps() const {
+  return std::max(kLeastSweeps, static_cast<int>(kMostSweeps / looseness()));
+}
 
 double Engine::boundaryAfter(double s) const {
   const double count = std::ceil(m_solver.step * kSolvesPerSecond - 1e-9);
@@ -53,8 +70,7 @@ std::vector<int> Engine::wakeTouching() {
           positionOf(m_bodies[other], moving.piece.mode, moving.piece.beginState);
       const double touching = m_bodies[index].radius + m_bodies[other].radius + 2 * kSkin;
       if ((there - place).squaredNorm() > touching * touching) return;
-      moving.asleep = false;
-      moving.stillFor = 0;
+      moving.asleep = false;  // and again asleep after the solve, if that does not move it
       open.push_back(other);
     });
   }
@@ -66,53 +82,70 @@ void Engine::settle(double s, bool foresee) {
   const std::vector<int> members = wakeTouching();
   if (members.empty()) return;
   const double duration = boundaryAfter(s) - s;
-  Group group(*this, s, duration);
+  Group group(*this, s, duration, true);
   for (const int i : members) group.add(i);
+  m_settledCount = static_cast<int>(members.size());
   m_fastestSettled = 0;
   for (const RestingWeight& weight : group.weights)
     m_fastestSettled = std::max(m_fastestSettled, weight.velocity.norm());
   for (int local = 0; local < static_cast<int>(members.size()); ++local) group.expand(local);
-  solveImpacts(group, s);
-  solveSupport(group, s, duration);
+  pull(group, s, duration);
+  warmStart(group);
+  group.solve(
+      {std::clamp(kShare * m_fastestSettled, kFinest, kCoarsest * looseness()), mostSweeps()});
+  letGo(group, s);
+  loseQuietly(s, std::max(0.0, pushLoss(group.contacts, group.unkicked, group.weights)),
+              std::max(0.0, dragLoss(group.contacts, group.unkicked, group.weights)));
   carryImpulses(group);
   fallAsleep(group, s, duration);
-  releaseOrKeep(group, s, foresee);
+  goOnInGroup(group, s, foresee);
 }
 
-void Engine::solveImpacts(Group& group, double s) {
-  group.solve(kImpactGoal);
-  loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
-  group.hitOrHeld.assign(group.members.size(), 0);
-  group.markPushed();
-  for (std::size_t k = 0; k < group.members.size(); ++k)
-    group.unkicked[k] = group.weights[k].velocity;
-}
-
-void Engine::solveSupport(Group& group, double s, double duration) {
+/// Gives the group what weight and air do in the stretch.
+void Engine::pull(Group& group, double s, double duration) {
   for (std::size_t k = 0; k < group.members.size(); ++k) {
-    const int index = group.members[k];
-    const Piece& piece = m_moving[index].piece;
-    Entries state = piece.at(s);
-    state = withVelocity(index, piece.mode, state, group.unkicked[k]);
-    const Entries slope = m_stepper.slope(m_bodies[index], piece.mode, state);
+    const Piece& piece = m_moving[group.members[k]].piece;
+    const Body& body = m_bodies[group.members[k]];
+    const Entries state = piece.at(s);
+    const Entries slope = m_stepper.slope(body, piece.mode, state);
     group.weights[k].velocity +=
-        isTethered(piece.mode)
-            ? Eigen::Vector2d(duration * m_bodies[index].length * slope[2] * trackOf(state))
-            : Eigen::Vector2d(duration * slope[2], duration * slope[3]);
+        isTethered(piece.mode) ? Eigen::Vector2d(duration * body.length * slope[2] * trackOf(state))
+                               : Eigen::Vector2d(duration * slope[2], duration * slope[3]);
   }
+}
+
+/// Starts from the impulses of the stretch before: what lies goes on being pushed alike.
+void Engine::warmStart(Group& group) const {
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     RestingContact& contact = group.contacts[i];
     const std::pair key(group.members[contact.a], group.keys[i]);
     const auto carried = std::ranges::lower_bound(
         m_now.contacts, key, {}, [](const CarriedContact& c) { return std::pair(c.a, c.b); });
     const bool found = carried != m_now.contacts.end() && std::pair(carried->a, carried->b) == key;
-    contact.push = found ? carried->push : 0;
-    contact.drag = found ? carried->drag : 0;
+    if (!found) continue;
+    contact.push = carried->push;
+    contact.drag = carried->drag;
   }
   applyCarried(group.weights, group.contacts);
-  group.solve(kSupportGoal);
-  loseQuietly(s, 0, slipLoss(group.contacts, group.weights));
-  group.markPushed();
+}
+
+/// Weights that nothing pushes leave the group, and so do those that lie on the floor with
+/// nothing else that pushes them: they slide.
+void Engine::letGo(Group& group, double s) {
+  group.findSupport();
+  double lost = 0;
+  for (std::size_t k = 0; k < group.members.size(); ++k) {
+    if (group.support[k] == Support::kOthers) continue;
+    group.weights[k].velocity = group.unkicked[k];
+    if (group.support[k] == Support::kNone) continue;
+    const WallImpact impact =
+        wallImpact(group.unkicked[k], group.weights[k].mass, {0, 1}, 0, m_scene->room.friction);
+    group.weights[k].velocity = {impact.velocity.x(), 0};
+    lost += impact.energyLost;
+  }
+  loseQuietly(s, lost, 0);
+  for (RestingContact& contact : group.contacts)
+    if (group.support[contact.a] == Support::kFloor) contact.push = contact.drag = 0;
 }
 
 void Engine::carryImpulses(const Group& group) {
@@ -144,7 +177,8 @@ void Engine::fallAsleep(const Group& group, double s, double duration) {
     const double size = 2 * m_bodies[group.members[k]].radius;
     const double gravity = m_scene->gravity;
     const bool still = group.weights[k].velocity.norm() <= kStillSpeed * std::sqrt(gravity * size);
-    moving.stillFor = still && group.hitOrHeld[k] ? moving.stillFor + duration : 0;
+    const bool leans = group.support[k] == Support::kOthers;
+    moving.stillFor = still && leans ? moving.stillFor + duration : 0;
     if (!(moving.stillFor * moving.stillFor * gravity > kStillTimes * kStillTimes * size))
       mayRest[root(k)] = 0;
   }
@@ -157,35 +191,19 @@ void Engine::fallAsleep(const Group& group, double s, double duration) {
   loseQuietly(s, lost, 0);
 }
 
-void Engine::releaseOrKeep(const Group& group, double s, bool foresee) {
-  std::vector<char> leansOn(group.members.size(), 0);  // something besides the floor pushes
-  std::vector<double> floorGap(group.members.size(), 1);
-  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
-    const RestingContact& contact = group.contacts[i];
-    if (group.keys[i] == kFloor) floorGap[contact.a] = contact.gap;
-    if (contact.push == 0 || group.keys[i] == kFloor) continue;
-    leansOn[contact.a] = 1;
-    if (contact.b >= 0) leansOn[contact.b] = 1;
-  }
+void Engine::goOnInGroup(const Group& group, double s, bool foresee) {
   for (std::size_t k = 0; k < group.members.size(); ++k) {
     const int index = group.members[k];
     const Piece piece = m_moving[index].piece;
     const Entries before = piece.at(s);
-    const bool onFloorAlone =
-        group.hitOrHeld[k] && !leansOn[k] && !piece.tied && std::abs(floorGap[k]) <= kTouchingGap;
+    const bool lies = group.support[k] == Support::kFloor;
+    const bool stays = group.support[k] == Support::kOthers;
+    m_moving[index].asleep = m_moving[index].asleep && stays;
     Eigen::Vector2d velocity = group.weights[k].velocity;
     if (m_moving[index].asleep) velocity.setZero();
-    if (!group.hitOrHeld[k] || onFloorAlone) {
-      velocity = group.unkicked[k];
-      m_moving[index].asleep = false;
-    }
     Entries after = withVelocity(index, piece.mode, before, velocity);
-    if (onFloorAlone) {
-      after[1] = m_bodies[index].radius;
-      after[3] = 0;
-    }
-    const bool stays = group.hitOrHeld[k] && !onFloorAlone;
-    goOn(index, s, before, onFloorAlone ? Mode::kSlide : piece.mode, after, piece.tied, stays);
+    if (lies) after[1] = m_bodies[index].radius;
+    goOn(index, s, before, lies ? Mode::kSlide : piece.mode, after, piece.tied, stays);
     if (m_diverged) return;
   }
   if (!foresee) return;

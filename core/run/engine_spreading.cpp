@@ -2,61 +2,66 @@
 #include <cmath>
 
 #include "core/run/engine.h"
-#include "core/run/group.h"
+#include "core/run/hit_wave.h"
 
 // A hit on a weight of a group goes on through the group at once: core/model.md, "Rest".
 
 namespace core {
 namespace {
 
-// After a hit, until the next solve, this is enough [m/s], or this share of the hit.
-constexpr double kHitTolerance = 3e-5;
-constexpr double kHitShare = 5e-5;
-constexpr int kMostSweeps = 300;
-// While a hit is still reaching others, so many sweeps carry it on.
-constexpr int kSweepsPerRing = 2;
+// Until the next solve a change of velocity that goes nowhere makes a gap of this at most [m].
+constexpr double kHitGap = 3e-7;
+// Where that is soon, a hit still goes on until its changes are this slow [m/s].
+constexpr double kCoarsest = 1e-2;
 
 }  // namespace
 
-void Engine::spread(double s, const std::vector<int>& seeds, double approach) {
-  const double tolerance = std::max(kHitTolerance, kHitShare * approach);
-  Group group(*this, s, std::max(boundaryAfter(s) - s, 1e-9));
-  for (const int i : seeds) group.add(i);
-  while (true) {
-    if (expandHit(group, static_cast<int>(seeds.size()), tolerance)) {
-      group.solve({tolerance, kSweepsPerRing});
-      continue;
-    }
-    group.solve({tolerance, kMostSweeps});
-    if (!expandHit(group, static_cast<int>(seeds.size()), tolerance)) break;
-  }
-  loseQuietly(s, inelasticLoss(group.contacts, group.unkicked, group.weights), 0);
+void Engine::hitGroup(int a, int b, double s, const Eigen::Vector2d& normal, double restitution,
+                      const std::vector<int>& landing) {
+  const double duration = std::max(boundaryAfter(s) - s, 1e-9);
+  Group group(*this, s, duration, false);
+  group.addHit(a, b, normal, restitution);
+  const double tolerance = std::min(looseness() * kHitGap / duration, kCoarsest);
+  HitWave(group, {tolerance, mostSweeps()}, duration).run();
+  const double lost = pushLoss(group.contacts, group.unkicked, group.weights) +
+                      dragLoss(group.contacts, group.unkicked, group.weights);
+  const double lostInHit = pushLoss({group.contacts.data(), 1}, group.unkicked, group.weights);
+  loseQuietly(s, std::max(0.0, lost - lostInHit), 0);  // rounding may leave −10⁻¹⁵ of nothing
+  if (group.contacts.front().push > 0) logHit(group, s, lostInHit, landing);
   moveSpread(group, s);
 }
 
-bool Engine::expandHit(Group& group, int seeds, double tolerance) {
-  bool reachesOthers = false;
-  for (int local = 0, count = group.size(); local < count; ++local) {
-    const double change = (group.weights[local].velocity - group.unkicked[local]).norm();
-    if (group.isExpanded(local) || (local >= seeds && change <= tolerance)) continue;
-    group.expand(local);
-    reachesOthers = true;
+void Engine::logHit(const Group& group, double s, double lost, const std::vector<int>& landing) {
+  const auto after = [&](int local) {
+    const int index = group.members[local];
+    const Piece& piece = m_moving[index].piece;
+    const Entries state =
+        withVelocity(index, piece.mode, piece.beginState, group.weights[local].velocity);
+    return readOut(index, piece.mode, piece.tied, state);
+  };
+  const int a = group.members[0], b = group.members[1];
+  const Piece& piece = m_moving[a].piece;
+  log(EventKind::kImpactWeight, s, a, readOut(a, piece.mode, piece.tied, piece.beginState),
+      after(0), lost, b);
+  for (const int i : landing) {
+    const WeightState there = after(i == a ? 0 : 1);
+    log(EventKind::kRest, s, i, there, there, 0);
   }
-  return reachesOthers;
 }
 
 void Engine::moveSpread(const Group& group, double s) {
   std::vector<int> moved;
   for (std::size_t k = 0; k < group.members.size(); ++k) {
-    if (group.weights[k].velocity == group.unkicked[k]) continue;
+    if (k >= 2 && group.weights[k].velocity == group.unkicked[k]) continue;
     const int index = group.members[k];
     moved.push_back(index);
     m_moving[index].asleep = false;
     m_moving[index].stillFor = 0;
     const Piece piece = m_moving[index].piece;
     const Entries state = piece.at(s);
-    goOn(index, s, state, piece.mode,
-         withVelocity(index, piece.mode, state, group.weights[k].velocity), piece.tied, true);
+    const Entries after = withVelocity(index, piece.mode, state, group.weights[k].velocity);
+    goOn(index, s, state, modeAfterPush(piece.mode, after, piece.settled), after, piece.tied,
+         piece.settled);
     if (m_diverged) return;
   }
   for (const int i : moved) schedule(i);

@@ -1,8 +1,15 @@
 #include "core/run/group.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace core {
+namespace {
+
+constexpr double kNoNeed = std::numeric_limits<double>::infinity();  // to look for contacts
+
+}  // namespace
 
 Engine::Group::~Group() {
   for (const int i : members) m_engine.m_localOf[i] = -1;
@@ -22,6 +29,7 @@ void Engine::Group::add(int index) {
   unkicked.push_back(weight.velocity);
   m_reach.push_back(reachAt(weight.velocity.norm()));
   m_expanded.push_back(false);
+  m_firstContact.push_back(-1);
 }
 
 // How far a weight may come within the stretch, and some more for what pushes it [m].
@@ -54,8 +62,8 @@ void Engine::Group::lookAt(int local, int other) {
                                 : reachAt(velocityOf(body, piece.mode, state).norm());
   if (gap > m_reach[local] + reachThere) return;
   add(other);
+  if (hasContact(local, other)) return;
   const int lower = std::min(index, other), higher = std::max(index, other);
-  if (!m_pairs.emplace(lower, higher).second) return;
   const Eigen::Vector2d normal = (index == lower ? 1 : -1) * apart.normalized();
   addContact({localOf(lower), localOf(higher), normal, gap - kSkin, 0, 0, 0}, higher);
 }
@@ -67,7 +75,7 @@ void Engine::Group::addSurfacesOf(int local) {
   const Room& room = m_engine.m_scene->room;
   const auto look = [&](Surface surface, double gap, const Eigen::Vector2d& normal,
                         double friction) {
-    if (gap > m_reach[local] || !m_pairs.emplace(members[local], surface).second) return;
+    if (gap > m_reach[local] || hasContact(local, surface)) return;
     addContact({local, -1, normal, gap, friction, 0, 0}, surface);
   };
   const double friction = isTethered(piece.mode) ? 0 : room.friction;
@@ -80,31 +88,65 @@ void Engine::Group::addSurfacesOf(int local) {
   if (out.norm() > 0) look(kRopeEnd, body.length - out.norm(), -out.normalized(), 0);
 }
 
+void Engine::Group::addHit(int a, int b, const Eigen::Vector2d& normal, double restitution) {
+  for (const int index : {a, b}) {
+    add(index);
+    if (!m_engine.m_moving[index].piece.settled) m_reach[localOf(index)] = kNoNeed;
+    if (!m_engine.m_moving[index].piece.settled) m_expanded[localOf(index)] = true;
+  }
+  const Eigen::Vector2d closing = weights[localOf(a)].velocity - weights[localOf(b)].velocity;
+  const double speed = restitution * closing.dot(normal);
+  link({localOf(a), localOf(b), -normal, -speed * m_duration, 0, 0, 0}, b);
+}
+
 void Engine::Group::addContact(const RestingContact& contact, int key) {
+  RestingContact added = contact;
+  if (!m_widens) added.gap = std::max(contact.gap, std::min(0.0, contact.gap + kSkin / 2));
+  link(added, key);
+}
+
+void Engine::Group::link(const RestingContact& contact, int key) {
+  const int i = static_cast<int>(contacts.size());
   contacts.push_back(contact);
   keys.push_back(key);
+  m_nextContact.push_back({std::exchange(m_firstContact[contact.a], i),
+                           contact.b < 0 ? -1 : std::exchange(m_firstContact[contact.b], i)});
+}
+
+bool Engine::Group::hasContact(int local, int key) const {
+  bool found = false;
+  forEachContact(local, [&](int i) {
+    const int other = contacts[i].a == local ? keys[i] : members[contacts[i].a];
+    found = found || other == key;
+  });
+  return found;
+}
+
+void Engine::Group::lookFurther(int local) {
+  m_reach[local] = 2 * reachAt(weights[local].velocity.norm());
+  expand(local);
 }
 
 void Engine::Group::solve(const ContactGoal& goal) {
   for (bool grows = true; grows;) {
     solveContacts(weights, contacts, m_duration, goal);
-    grows = false;
-    for (int local = 0; local < size(); ++local) {
-      const double needed = reachAt(weights[local].velocity.norm());
-      if (!m_expanded[local] || needed <= m_reach[local]) continue;
-      m_reach[local] = 2 * needed;
-      const std::size_t before = contacts.size();
-      expand(local);
-      grows = grows || contacts.size() > before;
-    }
+    const std::size_t before = contacts.size();
+    for (int local = 0; local < size(); ++local)
+      if (m_expanded[local] && outruns(local)) lookFurther(local);
+    grows = contacts.size() > before;
   }
 }
 
-void Engine::Group::markPushed() {
-  for (const RestingContact& contact : contacts) {
+void Engine::Group::findSupport() {
+  support.assign(members.size(), Support::kNone);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const RestingContact& contact = contacts[i];
     if (contact.push == 0) continue;
-    hitOrHeld[contact.a] = 1;
-    if (contact.b >= 0) hitOrHeld[contact.b] = 1;
+    Support& of = support[contact.a];
+    const bool onFloor = keys[i] == kFloor && std::abs(contact.gap) <= kTouchingGap &&
+                         !m_engine.m_moving[members[contact.a]].piece.tied;
+    of = onFloor && of == Support::kNone ? Support::kFloor : Support::kOthers;
+    if (contact.b >= 0) support[contact.b] = Support::kOthers;
   }
 }
 

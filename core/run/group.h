@@ -1,6 +1,6 @@
 #pragma once
 
-#include <set>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -17,23 +17,42 @@ constexpr double kTouchingGap = 1e-9;
 
 /// Weights that lean on each other are kept this far apart [m]: what a bounded number of sweeps
 /// leaves unsolved in a stretch is less, so that they do not overlap.
-constexpr double kSkin = 2e-6;
+constexpr double kSkin = 4e-6;
+
+/// What pushes a weight of a group.
+enum class Support : char { kNone, kFloor, kOthers };
 
 /// Some settled weights with their contacts, in the solver's terms.
 class Engine::Group {
  public:
   /// @param s         moment in the step [s]
   /// @param duration  of the stretch the contacts are looked for in [s], > 0
-  Group(Engine& engine, double s, double duration)
-      : m_engine(engine), m_s(s), m_duration(duration) {}
+  /// @param widens    gaps narrower than they should be are made wider in the stretch
+  Group(Engine& engine, double s, double duration, bool widens)
+      : m_engine(engine), m_s(s), m_duration(duration), m_widens(widens) {}
   ~Group();
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
 
   void add(int index);
+  /// Adds two weights that hit each other, and their contact. One that is not settled has no
+  /// other contacts in the group.
+  /// @param normal       from a to b
+  /// @param restitution  speed after / speed before along the normal
+  void addHit(int a, int b, const Eigen::Vector2d& normal, double restitution);
   int size() const { return static_cast<int>(members.size()); }
   int localOf(int index) const { return m_engine.m_localOf[index]; }
   bool isExpanded(int local) const { return m_expanded[local]; }
+
+  /// Calls `use(contact)` for each contact of a member, the one found last first.
+  template <class Use>
+  void forEachContact(int local, Use&& use) const {
+    for (int i = m_firstContact[local]; i >= 0;) {
+      const int next = m_nextContact[i][contacts[i].a == local ? 0 : 1];
+      use(i);
+      i = next;
+    }
+  }
 
   /// Finds all contacts of a member within its reach; settled weights it finds become members.
   void expand(int local);
@@ -41,31 +60,38 @@ class Engine::Group {
   /// Solves; when that made members faster than their contacts were looked for, looks again.
   void solve(const ContactGoal& goal);
 
-  /// Notes the members that some contact pushes now.
-  void markPushed();
+  /// Whether a member is, or may soon be, further than its contacts were looked for.
+  bool outruns(int local) const { return reachAt(weights[local].velocity.norm()) > m_reach[local]; }
+  /// Looks for its contacts further away, when it has become faster.
+  void lookFurther(int local);
 
-  std::vector<int> members;              // indices of weights
-  std::vector<RestingWeight> weights;    // in the order of members
-  std::vector<Eigen::Vector2d> places;   // likewise [m]
-  std::vector<RestingContact> contacts;  // refer to places in `members`
-  std::vector<int> keys;                 // of contacts: other weight, or Surface
-  /// Velocities when they became members; from solveImpacts() on, those after impacts and
-  /// before forces [m/s].
-  std::vector<Eigen::Vector2d> unkicked;
-  std::vector<char> hitOrHeld;  // of members: some contact pushes
+  /// Notes what pushes the members: the floor counts where nothing else does and no rope ties.
+  void findSupport();
+
+  std::vector<int> members;               // indices of weights
+  std::vector<RestingWeight> weights;     // in the order of members
+  std::vector<Eigen::Vector2d> places;    // likewise [m]
+  std::vector<RestingContact> contacts;   // refer to places in `members`
+  std::vector<int> keys;                  // of contacts: other weight, or Surface
+  std::vector<Eigen::Vector2d> unkicked;  // velocities when they became members [m/s]
+  std::vector<Support> support;           // of members
 
  private:
   double reachAt(double speed) const;
   void lookAt(int local, int other);
   void addSurfacesOf(int local);
   void addContact(const RestingContact& contact, int key);
+  void link(const RestingContact& contact, int key);
+  bool hasContact(int local, int key) const;
 
   Engine& m_engine;
   double m_s;
   double m_duration;
+  bool m_widens;
+  std::vector<int> m_firstContact;                // of members; −1: none
+  std::vector<std::array<int, 2>> m_nextContact;  // of contacts: the next one of a and of b
   std::vector<double> m_reach;  // of members: how far their contacts were looked for [m]
   std::vector<bool> m_expanded;
-  std::set<std::pair<int, int>> m_pairs;  // weights, or weight and Surface, with a contact
 };
 
 }  // namespace core

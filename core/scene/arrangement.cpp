@@ -12,6 +12,7 @@
 
 #include "core/scene/free_places.h"
 #include "core/scene/overlaps.h"
+#include "core/scene/placing.h"
 #include "core/scene/scene_limits.h"
 
 namespace core {
@@ -115,17 +116,6 @@ void hangEvenly(Scene& scene) {
   }
   const Stretch forStarts = whereStartsFit(hanging, roomWidth);
   spread(hanging, forStarts.width() >= 0 ? forStarts : Stretch{0, roomWidth}, roomWidth);
-}
-
-/// A weight as it is by default, on a rope that is tied to the ceiling and leaves at least
-/// half the room below it.
-Weight firstWeight(const Room& room) {
-  Rope rope;
-  rope.pivot = {room.width / 2, room.height};
-  rope.length = std::min(rope.length, room.height / 2);
-  Weight weight;
-  weight.rope = rope;
-  return weight;
 }
 
 }  // namespace

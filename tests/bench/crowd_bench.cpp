@@ -13,6 +13,7 @@
 
 #include "core/run/run.h"
 #include "core/scene/scene_limits.h"
+#include "tests/support/heap.h"
 #include "tests/support/processor_time.h"
 
 using core::Run;
@@ -49,21 +50,24 @@ std::shared_ptr<const Scene> crowd(int count) {
 
 /// Takes whole steps up to that time.
 /// @return  false if the run ended before
-bool runUntil(Run& run, double time) {
-  while (run.time() < time - kStep / 2)
+bool runUntil(Run& run, double time, double& overlap) {
+  while (run.time() < time - kStep / 2) {
     if (run.advance() != RunStatus::kRunning) return false;
+    overlap = std::max(overlap, tests::largestOverlap(run));
+  }
   return true;
 }
 
 bool report(int count, double seconds) {
   Run run(crowd(count), {.method = "rk4", .step = kStep});
   const double start = tests::processorTime();
-  const bool begun = runUntil(run, 1);
+  double overlap = 0;
+  const bool begun = runUntil(run, 1, overlap);
   const double afterFirst = tests::processorTime();
-  const bool done = begun && runUntil(run, seconds);
+  const bool done = begun && runUntil(run, seconds, overlap);
   const double afterAll = tests::processorTime();
-  std::printf("%8d %14.4f %14.4f %10s\n", count, (afterFirst - start) * 1e3 * kStep,
-              (afterAll - start) * 1e3 * kStep / seconds, done ? "ok" : "ended early");
+  std::printf("%8d %14.4f %14.4f %10.1e %10s\n", count, (afterFirst - start) * 1e3 * kStep,
+              (afterAll - start) * 1e3 * kStep / seconds, overlap, done ? "ok" : "ended early");
   std::fflush(stdout);
   return done;
 }

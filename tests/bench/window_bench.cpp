@@ -55,7 +55,8 @@ core::Scene loneWeights(int count, bool onRopes) {
   for (int i = 0; i < count; ++i) {
     core::Weight weight;
     weight.radius = 0.05;
-    const Eigen::Vector2d cell(i % columns + 0.5, i / columns + 0.5);
+    const int row = i / columns;
+    const Eigen::Vector2d cell(i % columns + 0.5, row + 0.5);
     if (onRopes) {
       weight.rope = core::Rope{.pivot = cell, .length = 0.4, .angle = 0.3 + i % 7 * 0.1};
     } else {

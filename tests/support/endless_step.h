@@ -18,7 +18,8 @@ inline std::shared_ptr<core::Scene> endlessStep() {
   for (int i = 0; i < kColumns * kColumns; ++i) {
     core::Weight weight;
     weight.radius = 0.02;
-    weight.position = {(i % kColumns + 0.5) / kColumns, (i / kColumns + 0.5) / kColumns};
+    const int row = i / kColumns;
+    weight.position = {(i % kColumns + 0.5) / kColumns, (row + 0.5) / kColumns};
     weight.velocity = {(i * 7 % 11 - 5) * 10.0, (i * 5 % 13 - 6) * 10.0};
     scene->weights.push_back(weight);
   }

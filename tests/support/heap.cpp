@@ -7,9 +7,9 @@
 
 namespace tests {
 
-std::shared_ptr<const core::Scene> pouredHeap(int count, double restitution) {
+std::shared_ptr<const core::Scene> pouredHeap(int count, double restitution, std::uint32_t seed) {
   auto scene = std::make_shared<core::Scene>();
-  std::mt19937 generator(1);
+  std::mt19937 generator(seed);
   const auto share = [&] { return static_cast<double>(generator()) / 4294967296.0; };
   constexpr double kCell = 0.1;
   const int columns = std::max(3, static_cast<int>(std::sqrt(count / 4.0)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "core/run/run.h"
@@ -11,7 +12,9 @@ namespace tests {
 ///
 /// @param count        of weights, ≥ 1
 /// @param restitution  of the room and of the weights
-std::shared_ptr<const core::Scene> pouredHeap(int count, double restitution);
+/// @param seed         of their sizes, places and velocities
+std::shared_ptr<const core::Scene> pouredHeap(int count, double restitution,
+                                              std::uint32_t seed = 1);
 
 /// How far two weights overlap at most [m]; 0 if none do.
 double largestOverlap(const core::Run& run);

@@ -1,8 +1,10 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLocale>
 #include <QSettings>
+#include <QSpinBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -16,6 +18,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/runs_form.h"
+#include "ui/panels/weights_form.h"
 
 using ui::Command;
 using ui::MainWindow;
@@ -72,6 +75,7 @@ class UndoWindowTest : public QObject {
   void undoesFieldsByKey();
   void oneGoOfAnArrowIsOneStep();
   void undoesATypedTextBeforeTheScene();
+  void aFieldThatOnlyChoosesLeavesUndoToTheWindow();
   void undoesChangesOfRunsAndOfTheCut();
   void undoesADraftThatCannotRun();
   void undoesToWhatIsSaved();
@@ -154,6 +158,20 @@ void UndoWindowTest::undoesATypedTextBeforeTheScene() {
   QCOMPARE(window.editor()->scene()->gravity, 5.0);
   undo(window);
   QCOMPARE(window.editor()->scene()->gravity, 9.81);
+}
+
+void UndoWindowTest::aFieldThatOnlyChoosesLeavesUndoToTheWindow() {
+  MainWindow window(threeWeights());
+  showAndActivate(window);
+  enter(fieldNamed(window, "Gravity"), "5");
+  window.findChild<QDockWidget*>("weights")->raise();
+  auto* chooser = window.findChild<ui::WeightsForm*>()->findChild<QSpinBox*>();
+  chooser->setFocus();
+  QTRY_VERIFY(chooser->hasFocus());
+  QTest::keyClick(chooser, Qt::Key_Up);
+  undo(window);
+  QCOMPARE(window.editor()->scene()->gravity, 9.81);
+  QCOMPARE(chooser->value(), 1);
 }
 
 void UndoWindowTest::undoesChangesOfRunsAndOfTheCut() {

@@ -21,6 +21,7 @@ enum class Command {
   kQuit,
   kUndo,
   kRedo,
+  kWeightsTable,
   kPlay,
   kStep,
   kStepBack,

@@ -76,6 +76,20 @@ void SceneEditor::forgetUndoneSave() {
 }
 
 void SceneEditor::replace(core::Scene scene, const QString& file, const QString& words) {
+  take(std::move(scene), file, words);
+  m_origin = {file, m_history.position()};
+  tell(true, true);
+}
+
+void SceneEditor::restore(core::Scene scene, const std::optional<core::Scene>& draft,
+                          const QString& file, const QString& words) {
+  take(std::move(scene), file, words);
+  m_origin = {file, std::nullopt};
+  tell(true, true);
+  if (draft) change([&](core::Scene& present) { present = *draft; }, words);
+}
+
+void SceneEditor::take(core::Scene scene, const QString& file, const QString& words) {
   const core::Scene before = std::exchange(m_draft, withSolvers(std::move(scene)));
   const ScenePointer ranBefore = ranBesideDraft();
   judge(m_scene);
@@ -83,8 +97,6 @@ void SceneEditor::replace(core::Scene scene, const QString& file, const QString&
     forgetUndoneSave();
     add({words, {}, SceneChange(before, m_draft), ranBefore, ranBesideDraft(), m_origin});
   }
-  m_origin = {file, m_history.position()};
-  tell(true, true);
 }
 
 /// Steps from the draft back to where it ran last; nothing if they are forgotten.

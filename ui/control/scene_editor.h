@@ -60,6 +60,12 @@ class SceneEditor : public QObject {
   /// @pre problemsIn(scene) is empty, and its solvers' methods are known
   void replace(core::Scene scene, const QString& file = {}, const QString& words = {});
 
+  /// Takes a scene that was not saved, modified, with a draft beside it that may not be able
+  /// to run.
+  /// @pre as for replace(), for `scene`
+  void restore(core::Scene scene, const std::optional<core::Scene>& draft, const QString& file,
+               const QString& words);
+
   /// Makes the scene that runs the draft again.
   void giveUpDraft();
 
@@ -89,6 +95,7 @@ class SceneEditor : public QObject {
  private:
   using ScenePointer = std::shared_ptr<const core::Scene>;
 
+  void take(core::Scene scene, const QString& file, const QString& words);
   ScenePointer ranBesideDraft() const;
   bool judge(const ScenePointer& ranBeside);
   void record(const core::Scene& before, const ScenePointer& ranBefore, const QString& words,

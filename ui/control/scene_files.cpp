@@ -10,6 +10,9 @@
 
 #include "core/scene/arrangement.h"
 #include "ui/control/file_dialog.h"
+#include "ui/control/first_scene.h"
+#include "ui/control/problem_words.h"
+#include "ui/control/recent_files.h"
 #include "ui/control/scene_editor.h"
 #include "ui/files/scene_file.h"
 
@@ -31,6 +34,14 @@ core::Scene newScene() {
 SceneFiles::SceneFiles(SceneEditor* editor, const QString& file, QWidget* window)
     : QObject(window), m_editor(editor), m_window(window) {
   editor->setSavedAs(file);
+  connect(editor, &SceneEditor::fileChanged, this, &SceneFiles::remember);
+  connect(editor, &SceneEditor::sceneReplaced, this, &SceneFiles::remember);
+  remember();
+}
+
+void SceneFiles::remember() {
+  RecentFiles::add(file());
+  rememberScene(file(), *m_editor->scene());
 }
 
 const QString& SceneFiles::file() const {
@@ -42,6 +53,10 @@ bool SceneFiles::mayLeaveScene() {
   QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
                        tr("The scene has changes that are not saved. Save them?"),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+  if (!m_editor->problems().empty()) {
+    question.setInformativeText(
+        tr("What could not be applied is not saved: %1").arg(problemWords(m_editor->problems())));
+  }
   switch (question.exec()) {
     case QMessageBox::Save:
       return save();
@@ -69,14 +84,22 @@ void SceneFiles::openBuiltIn(const QString& name) {
   m_editor->replace(scene, {}, openingWords(QString::fromStdString(scene.name)));
 }
 
+void SceneFiles::leaveAndOpen(const QString& file) {
+  if (mayLeaveScene()) open(file);
+}
+
 void SceneFiles::open(const QString& file) {
   SceneOrError read = readSceneFile(file);
   if (!read.scene) {
-    QMessageBox::warning(m_window, tr("Scene not opened"),
-                         tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), read.error));
+    warnNotOpened(file, read.error);
     return;
   }
   m_editor->replace(std::move(*read.scene), file, openingWords(QFileInfo(file).fileName()));
+}
+
+void SceneFiles::warnNotOpened(const QString& file, const QString& reason) {
+  QMessageBox::warning(m_window, tr("Scene not opened"),
+                       tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), reason));
 }
 
 QString SceneFiles::openingWords(const QString& name) {

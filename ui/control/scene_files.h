@@ -11,7 +11,8 @@ namespace ui {
 
 class SceneEditor;
 
-/// Opens and saves the scene of a window, and never loses one without asking.
+/// Opens and saves the scene of a window, and never loses one without asking. Remembers which
+/// it was for the next start, and its file among the recent ones.
 class SceneFiles : public QObject {
   Q_OBJECT
 
@@ -27,8 +28,12 @@ class SceneFiles : public QObject {
   /// @return  false if the user wants to stay with the scene
   bool mayLeaveScene();
 
+  /// Asks about unsaved changes, then opens this file.
+  void leaveAndOpen(const QString& file);
   /// Opens this file; if it is refused the present scene stays, and a message says why.
   void open(const QString& file);
+  /// Says that something was not opened, and why.
+  void warnNotOpened(const QString& file, const QString& reason);
   /// @return  false if it could not be saved, which a message has said
   bool saveTo(const QString& file);
 
@@ -47,6 +52,7 @@ class SceneFiles : public QObject {
 
  private:
   static QString openingWords(const QString& name);
+  void remember();
 
   SceneEditor* m_editor;
   QWidget* m_window;

@@ -13,6 +13,14 @@ const QString kThemeKey = QStringLiteral("theme");
 const QString kChartSizeKey = QStringLiteral("chartSize");
 const QString kPanelsKey = QStringLiteral("panels");
 const QString kHiddenLessonKey = QStringLiteral("hiddenLesson");
+const QString kGeometryKey = QStringLiteral("geometry");
+const QString kSpeedKey = QStringLiteral("speed");
+const QString kChartKindKey = QStringLiteral("chartKind");
+const QString kSwitchGroup = QStringLiteral("switches/");
+const QString kRecentFilesKey = QStringLiteral("recentFiles");
+const QString kLastSceneKey = QStringLiteral("lastScene");
+
+constexpr double kFastest = 1024;  // no button goes so far; a file might
 
 // In the order of the enumerations.
 const std::array kPainterWords{"automatic", "opengl", "qpainter"};
@@ -63,6 +71,56 @@ QByteArray Settings::panels() const {
 
 void Settings::setPanels(const QByteArray& panels) {
   m_store.setValue(kPanelsKey, panels);
+}
+
+QByteArray Settings::geometry() const {
+  return m_store.value(kGeometryKey).toByteArray();
+}
+
+void Settings::setGeometry(const QByteArray& geometry) {
+  m_store.setValue(kGeometryKey, geometry);
+}
+
+double Settings::speed() const {
+  const double stored = m_store.value(kSpeedKey).toDouble();
+  return 1 / kFastest <= stored && stored <= kFastest ? stored : 1;
+}
+
+void Settings::setSpeed(double speed) {
+  m_store.setValue(kSpeedKey, speed);
+}
+
+QString Settings::chartKind() const {
+  return m_store.value(kChartKindKey).toString();
+}
+
+void Settings::setChartKind(const QString& id) {
+  m_store.setValue(kChartKindKey, id);
+}
+
+bool Settings::isOn(const QString& name, bool usually) const {
+  const QString stored = m_store.value(kSwitchGroup + name).toString();
+  return stored.isEmpty() ? usually : stored == QStringLiteral("true");
+}
+
+void Settings::setOn(const QString& name, bool on) {
+  m_store.setValue(kSwitchGroup + name, on);
+}
+
+QStringList Settings::recentFiles() const {
+  return m_store.value(kRecentFilesKey).toStringList();
+}
+
+void Settings::setRecentFiles(const QStringList& files) {
+  m_store.setValue(kRecentFilesKey, files);
+}
+
+QString Settings::lastScene() const {
+  return m_store.value(kLastSceneKey).toString();
+}
+
+void Settings::setLastScene(const QString& fileOrName) {
+  m_store.setValue(kLastSceneKey, fileOrName);
 }
 
 QString Settings::hiddenLesson() const {

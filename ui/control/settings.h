@@ -3,6 +3,8 @@
 #include <QByteArray>
 #include <QSettings>
 #include <QSizeF>
+#include <QString>
+#include <QStringList>
 
 #include "ui/style/appearance.h"
 #include "ui/view/scene_view.h"
@@ -29,6 +31,30 @@ class Settings {
   /// Places and sizes of panels, as QMainWindow gives them; empty: the usual ones.
   QByteArray panels() const;
   void setPanels(const QByteArray& panels);
+
+  /// Place and size of the window, as QWidget gives them; empty: the usual ones.
+  QByteArray geometry() const;
+  void setGeometry(const QByteArray& geometry);
+
+  /// Simulated seconds per second, > 0.
+  double speed() const;
+  void setSpeed(double speed);
+
+  /// Id of the kind of chart shown; may be none that exists.
+  QString chartKind() const;
+  void setChartKind(const QString& id);
+
+  /// Whether a switch of the window is on.
+  bool isOn(const QString& name, bool usually) const;
+  void setOn(const QString& name, bool on);
+
+  /// The latest first.
+  QStringList recentFiles() const;
+  void setRecentFiles(const QStringList& files);
+
+  /// A file, or the name of a built-in scene; empty: none.
+  QString lastScene() const;
+  void setLastScene(const QString& fileOrName);
 
   /// The lesson whose text was put away; another one shows its own.
   QString hiddenLesson() const;

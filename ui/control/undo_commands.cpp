@@ -1,11 +1,25 @@
 #include "ui/control/undo_commands.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
 
 #include "ui/control/commands.h"
 #include "ui/control/scene_editor.h"
 
 namespace ui {
+namespace {
+
+/// Where the widget takes text; null: it takes none.
+const QLineEdit* lineOf(QObject* widget) {
+  if (const auto* box = qobject_cast<QAbstractSpinBox*>(widget))
+    return box->findChild<QLineEdit*>();
+  return qobject_cast<QLineEdit*>(widget);
+}
+
+}  // namespace
 
 UndoCommands::UndoCommands(const Commands& commands, SceneEditor* editor, QObject* parent)
     : QObject(parent),
@@ -16,6 +30,17 @@ UndoCommands::UndoCommands(const Commands& commands, SceneEditor* editor, QObjec
   connect(m_redo, &QAction::triggered, this, &UndoCommands::redo);
   connect(editor, &SceneEditor::historyChanged, this, &UndoCommands::offerWhatCanBeDone);
   offerWhatCanBeDone();
+  qApp->installEventFilter(this);
+}
+
+bool UndoCommands::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride) return false;
+  const auto* key = static_cast<QKeyEvent*>(event);
+  if (!key->matches(QKeySequence::Undo) && !key->matches(QKeySequence::Redo)) return false;
+  const QLineEdit* line = lineOf(watched);
+  if (!line || line->isUndoAvailable() || line->isRedoAvailable()) return false;
+  event->ignore();
+  return true;
 }
 
 void UndoCommands::undo() {

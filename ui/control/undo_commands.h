@@ -9,7 +9,8 @@ namespace ui {
 class Commands;
 class SceneEditor;
 
-/// Lets the commands undo and redo work, and say what they would undo or do again.
+/// Lets the commands undo and redo work, and say what they would undo or do again. A field in
+/// which nothing was typed leaves their keys to the window.
 class UndoCommands : public QObject {
   Q_OBJECT
 
@@ -19,6 +20,9 @@ class UndoCommands : public QObject {
  signals:
   /// Something was undone or done again, in words.
   void done(const QString& message);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void undo();

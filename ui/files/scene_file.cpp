@@ -23,17 +23,25 @@ SceneOrError refused(const QString& line) {
   return {std::nullopt, line};
 }
 
-}  // namespace
-
-SceneOrError parseScene(const QByteArray& text) {
+SceneOrError parse(const QByteArray& text, SceneDemand demand) {
   if (!text.isValidUtf8()) return refused(Texts::tr("not UTF-8"));
   try {
-    return {SceneReader(std::string_view(text.constData(), text.size())).read(), {}};
+    return {SceneReader(std::string_view(text.constData(), text.size()), demand).read(), {}};
   } catch (const JsonError& error) {
     return refused(Texts::tr("not JSON: %1").arg(error.line));
   } catch (const ValueRefused& refusal) {
     return refused(refusal.line);
   }
+}
+
+}  // namespace
+
+SceneOrError parseScene(const QByteArray& text) {
+  return parse(text, SceneDemand::kCanRun);
+}
+
+SceneOrError parseDraft(const QByteArray& text) {
+  return parse(text, SceneDemand::kDraft);
 }
 
 SceneOrError readSceneFile(const QString& file) {

@@ -20,11 +20,15 @@ struct SceneOrError {
 /// whole text for any fault; a refused text has no scene.
 SceneOrError parseScene(const QByteArray& text);
 
+/// Reads what sceneText() made of a scene, even one that cannot run.
+SceneOrError parseDraft(const QByteArray& text);
+
 /// Reads a scene file of at most 64 MiB.
 SceneOrError readSceneFile(const QString& file);
 
 /// The scene as a file's text: UTF-8 JSON, indented, every value written so that it reads
 /// back to the same double.
+/// @param scene  need not be able to run, but its numbers are finite
 QByteArray sceneText(const core::Scene& scene);
 
 /// Writes a scene file, whole or not at all.

@@ -1,6 +1,7 @@
 #include "ui/files/scene_reader.h"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace ui {
 core::Scene SceneReader::read() {
   checkHeader();
   core::Scene scene = readScene();
+  if (m_demand == SceneDemand::kDraft) return scene;
   const std::vector<core::Problem> problems = core::problemsIn(scene);
   if (!problems.empty()) refuse(problems.front());
   return scene;
@@ -70,6 +72,8 @@ void SceneReader::checkVersion(std::optional<double> version) {
 core::Scene SceneReader::readScene() {
   core::Scene scene;
   const auto checked = [&] { m_json.skipValue(); };
+  const int mostWeights =
+      m_demand == SceneDemand::kDraft ? std::numeric_limits<int>::max() : core::kMostWeights;
   readObject({
       {"format", checked},
       {"version", checked},
@@ -81,7 +85,7 @@ core::Scene SceneReader::readScene() {
       {"restitution", [&] { scene.restitution = readNumber(); }},
       {"cutTime", [&] { scene.cutTime = readNumberOrNull(); }},
       {"weights",
-       [&] { readList(0, core::kMostWeights, [&] { scene.weights.push_back(readWeight()); }); }},
+       [&] { readList(0, mostWeights, [&] { scene.weights.push_back(readWeight()); }); }},
       {"solvers",
        [&] { readList(1, core::kMostSolvers, [&] { scene.solvers.push_back(readSolver()); }); }},
   });
@@ -195,7 +199,7 @@ Eigen::Vector2d SceneReader::readVector() {
 double SceneReader::readAngle(const core::Range& allowed) {
   const std::string_view digits = readDigits();
   const double degrees = *numberFromText(digits);
-  if (!allowed.contains(degrees)) {
+  if (m_demand == SceneDemand::kCanRun && !allowed.contains(degrees)) {
     refuse({m_place, core::Problem::Kind::kOutOfRange, degrees, allowed, -1, {}});
   }
   return radiansFromDegreeText(digits);

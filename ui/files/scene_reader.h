@@ -19,6 +19,12 @@ namespace ui {
 inline constexpr std::string_view kSceneFormat = "angry-cuts/scene";
 inline constexpr int kSceneVersion = 1;
 
+/// What a reader asks of a scene.
+enum class SceneDemand {
+  kCanRun,  ///< all that a scene file must be
+  kDraft    ///< no more than that it can be read: numbers may be anything
+};
+
 /// Reads one scene from the text of a scene file, strictly: what is not known, not complete
 /// or not allowed is refused, and nothing is corrected.
 class SceneReader : private StrictReader {
@@ -26,9 +32,10 @@ class SceneReader : private StrictReader {
 
  public:
   /// @param text  valid UTF-8, must outlive the reader
-  explicit SceneReader(std::string_view text) : StrictReader(text, "scene"), m_text(text) {}
+  explicit SceneReader(std::string_view text, SceneDemand demand = SceneDemand::kCanRun)
+      : StrictReader(text, "scene"), m_text(text), m_demand(demand) {}
 
-  /// @return a scene that can run; throws JsonError or ValueRefused; call once
+  /// @return a scene that meets the demand; throws JsonError or ValueRefused; call once
   core::Scene read();
 
  private:
@@ -49,6 +56,7 @@ class SceneReader : private StrictReader {
   [[noreturn]] static void refuse(const core::Problem& problem);
 
   std::string_view m_text;
+  SceneDemand m_demand;
 };
 
 }  // namespace ui

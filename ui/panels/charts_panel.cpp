@@ -149,6 +149,10 @@ void ChartsPanel::chooseKind(int kind) {
   m_kinds->setCurrentIndex(kind);
 }
 
+int ChartsPanel::kind() const {
+  return m_kinds->currentIndex();
+}
+
 void ChartsPanel::chooseRun(int run) {
   m_runs->setCurrentIndex(run + 1);
 }

@@ -34,6 +34,8 @@ class ChartsPanel : public QWidget {
 
   /// @param kind  index in chartKinds()
   void chooseKind(int kind);
+  /// Index of the kind shown.
+  int kind() const;
   /// Shows the run with this index; −1: all.
   void chooseRun(int run);
   /// Shows the weight with this index; −1: all.

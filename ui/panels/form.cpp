@@ -5,7 +5,7 @@
 #include <QLocale>
 
 #include "ui/control/scene_editor.h"
-#include "ui/panels/problem_words.h"
+#include "ui/control/problem_words.h"
 #include "ui/panels/quantity_field.h"
 
 namespace ui {

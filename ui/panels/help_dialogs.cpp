@@ -47,6 +47,9 @@ std::vector<Line> mouseLines() {
           {Words::tr("Shift+drag in a chart"), Words::tr("Move what it shows")},
           {Words::tr("+, −, 0 in a chart"), Words::tr("Zoom in, out, show all")},
           {Words::tr("Alt+arrows in a chart"), Words::tr("Move what it shows")},
+          {Words::tr("Insert, Delete in the table"), Words::tr("Add, remove weights")},
+          {Words::tr("Ctrl+C, Ctrl+V in the table"), Words::tr("Copy, paste cells")},
+          {Words::tr("Ctrl+D in the table"), Words::tr("Fill down")},
           {Words::tr("Return in a field"), Words::tr("Apply the value")},
           {Words::tr("Escape in a field"), Words::tr("Bring back the last value")}};
 }

@@ -17,19 +17,28 @@ constexpr int kEdge = 4;  // px: the colored stripe at the left
 
 }  // namespace
 
-MessageBar::MessageBar(const QString& offer, QWidget* parent)
-    : QFrame(parent), m_icon(new QLabel), m_text(new QLabel), m_button(new QToolButton) {
+MessageBar::MessageBar(const QString& offer, const QString& otherOffer, QWidget* parent)
+    : QFrame(parent),
+      m_icon(new QLabel),
+      m_text(new QLabel),
+      m_button(new QToolButton),
+      m_otherButton(new QToolButton) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(12 + kEdge, 6, 8, 6);
   layout->addWidget(m_icon);
   layout->addWidget(m_text, 1);
   layout->addWidget(m_button);
+  layout->addWidget(m_otherButton);
   m_icon->setPixmap(icon("warning").pixmap(kIconSize));
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_button->setText(offer);
   m_button->setVisible(!offer.isEmpty());
+  m_otherButton->setText(otherOffer);
+  m_otherButton->setVisible(!otherOffer.isEmpty());
+  for (QToolButton* button : {m_button, m_otherButton}) button->setFocusPolicy(Qt::TabFocus);
   connect(m_button, &QToolButton::clicked, this, &MessageBar::accepted);
+  connect(m_otherButton, &QToolButton::clicked, this, &MessageBar::otherAccepted);
   hide();
 }
 

@@ -4,12 +4,14 @@
 #include <span>
 
 #include <QFormLayout>
+#include <QPushButton>
 #include <QSpinBox>
 
 #include "core/scene/scene_limits.h"
 #include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/wheel_guard.h"
+#include "ui/style/icons.h"
 
 namespace ui {
 namespace {
@@ -32,6 +34,7 @@ WeightsForm::WeightsForm(SceneEditor* editor, QWidget* parent)
   addChooser();
   addRopeRows();
   addBodyRows();
+  addTableButton();
   WeightsForm::showDraft();
 }
 
@@ -72,6 +75,13 @@ void WeightsForm::addBodyRows() {
       addWeightQuantity(tr("Drag coefficient"), {core::kDragCoefficientRange, 0.05},
                         [](core::Weight& weight) { return &weight.dragCoefficient; }),
   };
+}
+
+void WeightsForm::addTableButton() {
+  auto* button = new QPushButton(icon("table"), tr("All weights in a table…"));
+  button->setFocusPolicy(Qt::TabFocus);
+  connect(button, &QPushButton::clicked, this, &WeightsForm::tableWanted);
+  rows()->addRow(button);
 }
 
 /// @param part  where a weight keeps the quantity; null where it has none

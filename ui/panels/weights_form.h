@@ -17,6 +17,8 @@ class WeightsForm : public Form {
   void choose(int number);
 
  signals:
+  /// All weights are to be shown at once.
+  void tableWanted();
   /// Another weight is shown, counted from 1; 0: all.
   void weightChosen(int number);
 
@@ -27,6 +29,7 @@ class WeightsForm : public Form {
   void addChooser();
   void addRopeRows();
   void addBodyRows();
+  void addTableButton();
   QuantityField* addWeightQuantity(const QString& label, const QuantityStyle& style,
                                    const std::function<double*(core::Weight&)>& part);
 

@@ -35,8 +35,8 @@ void SceneFilesTest::savesUnderAnEndingThatDesktopsKnow_data() {
                                 << "three-ropes.angrycuts.json";
   QTest::newRow("without an ending") << "lesson"
                                      << "lesson.angrycuts.json";
-  QTest::newRow("with an ending") << "lesson.json"
-                                  << "lesson.json";
+  QTest::newRow("with an ending") << "plain.json"
+                                  << "plain.json";
 }
 
 void SceneFilesTest::savesUnderAnEndingThatDesktopsKnow() {

@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "core/scene/scene_limits.h"
-#include "ui/panels/problem_words.h"
+#include "ui/control/problem_words.h"
 
 class TranslationsTest : public QObject {
   Q_OBJECT

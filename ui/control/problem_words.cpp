@@ -1,4 +1,4 @@
-#include "ui/panels/problem_words.h"
+#include "ui/control/problem_words.h"
 
 #include <QCoreApplication>
 #include <QHash>

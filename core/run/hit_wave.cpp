@@ -1,0 +1,122 @@
+#include "core/run/hit_wave.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+// So often each row may be set right one by one before sweeps take over.
+constexpr std::size_t kPatience = 8;
+// Sweeps bring in new neighbours, which bring in others.
+constexpr int kMostRounds = 10;
+
+}  // namespace
+
+Engine::HitWave::HitWave(Group& group, const ContactGoal& goal, double duration)
+    : m_group(group), m_goal(goal), m_duration(duration) {
+  addRows();
+  for (int local = 0, hit = group.size(); local < hit; ++local)
+    if (!group.isExpanded(local)) expand(local);
+}
+
+void Engine::HitWave::run() {
+  for (int round = 0; round < kMostRounds && !runThroughQueue(); ++round) sweep();
+  for (std::size_t i = 0; i < m_rows.size(); ++i) {
+    if (m_rows[i].a == m_rows[i].b) settle(static_cast<int>(i));  // nothing leaves the room
+    m_group.contacts[i].push = m_rows[i].push;
+  }
+}
+
+void Engine::HitWave::expand(int local) {
+  m_group.expand(local);
+  addRows();
+}
+
+void Engine::HitWave::addRows() {
+  for (std::size_t k = m_told.size(); k < m_group.members.size(); ++k)
+    m_told.push_back(m_group.weights[k].velocity);
+  for (std::size_t i = m_rows.size(); i < m_group.contacts.size(); ++i) {
+    const RestingContact& contact = m_group.contacts[i];
+    PushRow row = pushRow(contact, m_group.weights, m_duration);
+    if (contact.b < 0) row.b = row.a;
+    m_rows.push_back(row);
+    m_waits.push_back(0);
+    enqueue(static_cast<int>(i));
+  }
+}
+
+void Engine::HitWave::enqueue(int row) {
+  if (m_waits[row]) return;
+  m_waits[row] = 1;
+  m_queue.push_back(row);
+}
+
+/// @return  false when that takes too long
+bool Engine::HitWave::runThroughQueue() {
+  for (std::size_t count = 0; m_next < m_queue.size(); ++count) {
+    if (count > kPatience * m_rows.size()) return false;
+    const int row = m_queue[m_next++];
+    m_waits[row] = 0;
+    settle(row);
+    tell(m_rows[row].a);
+    if (m_rows[row].b != m_rows[row].a) tell(m_rows[row].b);
+  }
+  m_queue.clear();
+  m_next = 0;
+  return true;
+}
+
+void Engine::HitWave::settle(int index) {
+  PushRow& row = m_rows[index];
+  Eigen::Vector2d& a = m_group.weights[row.a].velocity;
+  Eigen::Vector2d& b = m_group.weights[row.b].velocity;
+  const double approach = row.normalA.dot(a) - row.normalB.dot(b) + row.gapSpeed;
+  const double pushed = std::max(0.0, row.push - approach * row.stiffness);
+  const double change = pushed - row.push;
+  row.push = pushed;
+  a += change * row.responseA;
+  b -= change * row.responseB;
+  if (m_group.contacts[index].friction > 0) brake(index);
+}
+
+void Engine::HitWave::brake(int index) {
+  RestingContact& contact = m_group.contacts[index];
+  RestingWeight& weight = m_group.weights[contact.a];
+  const Eigen::Vector2d tangent(-contact.normal.y(), contact.normal.x());
+  const double most = contact.friction * m_rows[index].push;
+  const double dragged =
+      std::clamp(contact.drag - tangent.dot(weight.velocity) * weight.mass, -most, most);
+  weight.velocity += (dragged - contact.drag) / weight.mass * tangent;
+  contact.drag = dragged;
+}
+
+void Engine::HitWave::tell(int local) {
+  if (!hasChanged(local)) return;
+  m_told[local] = m_group.weights[local].velocity;
+  if (!m_group.isExpanded(local)) expand(local);
+  if (m_group.outruns(local)) {
+    m_group.lookFurther(local);
+    addRows();
+  }
+  m_group.forEachContact(local, [&](int row) { enqueue(row); });
+}
+
+bool Engine::HitWave::hasChanged(int local) const {
+  const Eigen::Vector2d change = m_group.weights[local].velocity - m_told[local];
+  return change.squaredNorm() > m_goal.tolerance * m_goal.tolerance;
+}
+
+void Engine::HitWave::sweep() {
+  for (std::size_t i = 0; i < m_rows.size(); ++i) m_group.contacts[i].push = m_rows[i].push;
+  m_group.solve(m_goal);
+  for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i].push = m_group.contacts[i].push;
+  while (m_next < m_queue.size()) m_waits[m_queue[m_next++]] = 0;
+  addRows();
+  for (int local = 0, count = m_group.size(); local < count; ++local) {
+    if (!hasChanged(local)) continue;
+    m_told[local] = m_group.weights[local].velocity;
+    if (!m_group.isExpanded(local)) expand(local);
+  }
+}
+
+}  // namespace core

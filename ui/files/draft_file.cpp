@@ -1,0 +1,69 @@
+#include "ui/files/draft_file.h"
+
+#include <string_view>
+#include <utility>
+
+#include <QDataStream>
+#include <QFile>
+#include <QFileInfo>
+
+#include "ui/files/output_file.h"
+#include "ui/files/scene_file.h"
+
+#ifdef Q_OS_UNIX
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace ui {
+namespace {
+
+constexpr quint32 kMagic = 0x41434472;  // "ACDr"
+constexpr quint32 kVersion = 1;
+
+/// A file's new name outlasts a power cut only once its folder is on the disk, too.
+void syncFolderOf(const QString& path) {
+#ifdef Q_OS_UNIX
+  const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
+  const int handle = ::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle < 0) return;
+  ::fsync(handle);
+  ::close(handle);
+#endif
+}
+
+}  // namespace
+
+QString writeDraftFile(const QString& path, const KeptDraft& kept) {
+  QByteArray bytes;
+  QDataStream stream(&bytes, QIODevice::WriteOnly);
+  stream.setVersion(QDataStream::Qt_6_0);
+  stream << kMagic << kVersion << kept.file << sceneText(kept.scene)
+         << (kept.draft ? sceneText(*kept.draft) : QByteArray());
+  OutputFile output;
+  const std::string_view view(bytes.constData(), static_cast<std::size_t>(bytes.size()));
+  if (output.open(path) && output.write(view) && output.finish()) syncFolderOf(path);
+  return output.error();
+}
+
+std::optional<KeptDraft> readDraftFile(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
+  QDataStream stream(&file);
+  stream.setVersion(QDataStream::Qt_6_0);
+  quint32 magic = 0;
+  quint32 version = 0;
+  stream >> magic >> version;
+  if (magic != kMagic || version != kVersion) return std::nullopt;
+  KeptDraft kept;
+  QByteArray sceneBytes;
+  QByteArray draftBytes;
+  stream >> kept.file >> sceneBytes >> draftBytes;
+  SceneOrError scene = parseScene(sceneBytes);
+  if (stream.status() != QDataStream::Ok || !scene.scene) return std::nullopt;
+  kept.scene = std::move(*scene.scene);
+  if (!draftBytes.isEmpty()) kept.draft = parseDraft(draftBytes).scene;
+  return kept;
+}
+
+}  // namespace ui
