@@ -8,8 +8,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QScreen>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QShowEvent>
 #include <QStatusBar>
 #include <QToolBar>
@@ -21,6 +19,7 @@
 #include "ui/control/exports.h"
 #include "ui/control/frame_ticker.h"
 #include "ui/control/lesson_guide.h"
+#include "ui/control/presentation.h"
 #include "ui/control/problem_words.h"
 #include "ui/control/recent_files.h"
 #include "ui/control/recovery.h"
@@ -41,11 +40,13 @@
 #include "ui/panels/comparison_panel.h"
 #include "ui/panels/cut_window.h"
 #include "ui/panels/events_panel.h"
+#include "ui/panels/form_area.h"
 #include "ui/panels/help_dialogs.h"
 #include "ui/panels/lesson_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/panel_title.h"
 #include "ui/panels/playback_bar.h"
+#include "ui/panels/presentation_header.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
 #include "ui/panels/scene_toolbar.h"
@@ -69,23 +70,6 @@ constexpr QSize kFrame(8, 48);
 constexpr double kChartShare = 0.4;  // of the height that scene and chart have together
 constexpr int kMessageTime = 6000;   // ms
 
-/// As high as its form if there is room; where there is not, it scrolls rather than squeezes.
-class FormArea : public QScrollArea {
- public:
-  QSize sizeHint() const override { return widget()->sizeHint(); }
-};
-
-QScrollArea* scrolling(QWidget* form) {
-  auto* area = new FormArea;
-  area->setWidget(form);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setMinimumWidth(form->minimumSizeHint().width() +
-                        area->verticalScrollBar()->sizeHint().width());
-  return area;
-}
-
 }  // namespace
 
 MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* parent)
@@ -104,6 +88,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   m_exports = new Exports(
       m_controller, [this] { return m_charts->picture(); }, this);
   m_appearance->setChoice(Settings().theme());
+  m_appearance->setTextSize(Settings().textSize());
   setWindowIcon(icon("angrycuts"));
   const QSize available = screen()->availableSize();
   resize(kFirstSize.boundedTo(available));
@@ -118,6 +103,7 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   connectScene();
   connectFiles();
   connectView();
+  preparePresentation();
   connectTarget();
   startScene();
   showTitle();
@@ -153,11 +139,15 @@ void MainWindow::buildCentre() {
   layout->addWidget(m_recoveryBar);
   layout->addWidget(m_problemBar);
   layout->addWidget(m_stopBar);
+  m_header = new PresentationHeader;
+  m_timeline = new Timeline(m_controller, m_events);
+  m_tools = sceneToolbar(*m_commands);
+  layout->addWidget(m_header);
   auto* bench = new QHBoxLayout;
-  bench->addWidget(sceneToolbar(*m_commands));
+  bench->addWidget(m_tools);
   bench->addWidget(m_view, 1);
   layout->addLayout(bench, 1);
-  layout->addWidget(new Timeline(m_controller, m_events));
+  layout->addWidget(m_timeline);
   layout->addWidget(m_playback);
   setCentralWidget(centre);
 }
@@ -167,16 +157,15 @@ void MainWindow::buildPanels() {
   setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
   auto* lessonPanel = new LessonPanel(*m_commands);
   QDockWidget* lesson =
-      addPanel(Qt::LeftDockWidgetArea, "lesson", tr("Lesson"), scrolling(lessonPanel));
+      addPanel(Qt::LeftDockWidgetArea, "lesson", tr("Lesson"), new FormArea(lessonPanel));
   m_lessons = new LessonGuide(*m_commands, m_editor, m_files, lessonPanel, lesson, this);
   QDockWidget* scene =
-      addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), scrolling(new SceneForm(m_editor)));
+      addPanel(Qt::LeftDockWidgetArea, "scene", tr("Scene"), new FormArea(new SceneForm(m_editor)));
   auto* weightsForm = new WeightsForm(m_editor);
   QDockWidget* weights =
-      addPanel(Qt::LeftDockWidgetArea, "weights", tr("Weights"), scrolling(weightsForm));
-  QScrollArea* runsArea = scrolling(new RunsForm(m_editor));
-  // The methods are what the program is about: never scrolled away with two runs.
-  runsArea->setMinimumHeight(runsArea->sizeHint().height());
+      addPanel(Qt::LeftDockWidgetArea, "weights", tr("Weights"), new FormArea(weightsForm));
+  // The methods are what the program is about.
+  auto* runsArea = new FormArea(new RunsForm(m_editor), FormArea::Height::kWhole);
   QDockWidget* runs = addPanel(Qt::LeftDockWidgetArea, "runs", tr("Runs"), runsArea);
   QDockWidget* charts = addPanel(Qt::BottomDockWidgetArea, "charts", tr("Charts"), m_charts);
   auto* comparison = new ComparisonPanel(m_controller);
@@ -259,6 +248,11 @@ void MainWindow::buildMenus() {
                     static_cast<int>(Settings().theme()), [this](int choice) {
                       Settings().setTheme(static_cast<ThemeChoice>(choice));
                       m_appearance->setChoice(static_cast<ThemeChoice>(choice));
+                    });
+  m_menu->addChoice(tr("Te&xt size"), {tr("&Normal"), tr("&Large"), tr("&Very large")},
+                    static_cast<int>(Settings().textSize()), [this](int choice) {
+                      Settings().setTextSize(static_cast<TextSize>(choice));
+                      m_appearance->setTextSize(static_cast<TextSize>(choice));
                     });
   m_menu->addChoice(tr("&Drawn by"), {tr("&Automatic choice"), tr("&OpenGL"), tr("&QPainter")},
                     static_cast<int>(Settings().painter()), [this](int choice) {
@@ -368,6 +362,17 @@ void MainWindow::connectView() {
   showPainter();
 }
 
+void MainWindow::preparePresentation() {
+  m_presentation = new Presentation(*m_commands, {.window = this,
+                                                  .appearance = m_appearance,
+                                                  .controller = m_controller,
+                                                  .lessons = m_lessons,
+                                                  .charts = findChild<QDockWidget*>("charts"),
+                                                  .header = m_header,
+                                                  .scene = m_view,
+                                                  .controls = {m_timeline, m_playback, m_tools}});
+}
+
 void MainWindow::connectTarget() {
   m_target = new TargetControl(*m_commands, m_controller, m_editor, m_view, this);
   // None selected: the one before stays.
@@ -437,6 +442,7 @@ void MainWindow::showWhenToCut() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(m_files->mayLeaveScene());
   if (!event->isAccepted()) return;
+  m_presentation->setOn(false);
   memory().save();
   if (m_drafts) m_drafts->letGo();
 }

@@ -22,6 +22,8 @@ class LessonGuide;
 class MainMenu;
 class MessageBar;
 class PlaybackBar;
+class Presentation;
+class PresentationHeader;
 class RunController;
 class SceneArea;
 class SceneCommands;
@@ -55,6 +57,7 @@ class MainWindow : public QMainWindow {
   Exports* exports() const { return m_exports; }
   const Commands& commands() const { return *m_commands; }
   ChartsPanel* charts() const { return m_charts; }
+  Presentation* presentation() const { return m_presentation; }
   TargetControl* target() const { return m_target; }
 
  protected:
@@ -74,6 +77,7 @@ class MainWindow : public QMainWindow {
   void connectScene();
   void connectFiles();
   void connectView();
+  void preparePresentation();
   void connectTarget();
 
   void startScene();
@@ -98,11 +102,15 @@ class MainWindow : public QMainWindow {
 
   MainMenu* m_menu;
   SceneArea* m_view;
+  PresentationHeader* m_header;
+  QWidget* m_timeline;
+  QWidget* m_tools;
   SceneCommands* m_hand = nullptr;
   TargetControl* m_target;
   PlaybackBar* m_playback;
   ChartsPanel* m_charts;
   LessonGuide* m_lessons;
+  Presentation* m_presentation;
   MessageBar* m_recoveryBar;
   MessageBar* m_problemBar;
   MessageBar* m_stopBar;

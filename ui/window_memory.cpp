@@ -18,7 +18,11 @@ struct Switch {
 };
 
 /// Those that change how things look, for good.
-constexpr Switch kSwitches[] = {{Command::kTrails, "trails"}, {Command::kSplit, "splitViews"}};
+constexpr Switch kSwitches[] = {{Command::kTrails, "trails"},
+                                {Command::kSplit, "splitViews"},
+                                {Command::kVelocities, "velocities"},
+                                {Command::kForces, "forces"},
+                                {Command::kTensions, "tensions"}};
 
 }  // namespace
 

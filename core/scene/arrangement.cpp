@@ -19,8 +19,8 @@ namespace core {
 
 namespace {
 
-// M. Okabe and K. Ito, Color Universal Design (2008); grey for their black, which would be
-// lost on a dark background. Neighbors in the list differ in lightness as well as in hue.
+// M. Okabe and K. Ito, Color Universal Design (2008); a dark grey for their black, which would
+// be lost on a dark background. Neighbors in the list differ in lightness as well as in hue.
 constexpr std::array<Color, 8> kDistinctColors{{{0xe6, 0x9f, 0x00},
                                                 {0x56, 0xb4, 0xe9},
                                                 {0x00, 0x9e, 0x73},
@@ -28,7 +28,7 @@ constexpr std::array<Color, 8> kDistinctColors{{{0xe6, 0x9f, 0x00},
                                                 {0x00, 0x72, 0xb2},
                                                 {0xcc, 0x79, 0xa7},
                                                 {0xf0, 0xe4, 0x42},
-                                                {0x99, 0x99, 0x99}}};
+                                                {0x50, 0x50, 0x50}}};
 
 /// A fixed number that looks random: the index-th output of SplitMix64 started at 0.
 /// Source: G. Steele, D. Lea, C. Flood, OOPSLA 2014, Fig. 13 and 17.

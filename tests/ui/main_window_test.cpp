@@ -238,6 +238,7 @@ void MainWindowTest::playsByButton() {
   showAndActivate(window);
   for (QToolButton* button : window.findChildren<QToolButton*>()) {
     if (button->defaultAction() != window.commands().action(Command::kPlay)) continue;
+    if (!button->isVisible()) continue;  // of the presentation
     QTest::mouseClick(button, Qt::LeftButton);
     QCOMPARE(button->text(), QString("Pause"));
   }

@@ -111,6 +111,7 @@ class ToolsWindowTest : public QObject {
   void timesFromEventToEvent();
   void theStopwatchIsStartedByAClickAndMovedByADrag();
   void theStopwatchStartsAnewWithTheScene();
+  void escapeLeavesOneThingAfterTheOther();
   void everyViewOfSplitViewsShowsTheMarks();
   void exportsWhatIsShown();
 
@@ -299,6 +300,26 @@ void ToolsWindowTest::theStopwatchStartsAnewWithTheScene() {
   window.press(Qt::Key_S);
   window.press(Qt::Key_R);  // what it stopped at can still be read
   QCOMPARE(window.tools().stopwatch->reading(0), 0.25);
+}
+
+void ToolsWindowTest::escapeLeavesOneThingAfterTheOther() {
+  Window window;
+  window.press(Qt::Key_N);
+  window.press(Qt::Key_D);
+  window.press(Qt::Key_H);
+  // Each look at the clock takes a second: one step between two frames.
+  window.controller()->setStopwatch([now = 0.0]() mutable { return now += 1; });
+  window.controller()->goTo(100);
+  QVERIFY(window.controller()->isTravelling());
+  window.press(Qt::Key_Escape);
+  QVERIFY(!window.controller()->isTravelling());
+  QCOMPARE(window.tools().chosen, ToolPart::kTapeFrom);
+  QCOMPARE(window.selection()->weight(), 0);
+  window.press(Qt::Key_Escape);
+  QCOMPARE(window.tools().chosen, std::nullopt);
+  QCOMPARE(window.selection()->weight(), 0);
+  window.press(Qt::Key_Escape);
+  QCOMPARE(window.selection()->weight(), std::nullopt);
 }
 
 void ToolsWindowTest::everyViewOfSplitViewsShowsTheMarks() {

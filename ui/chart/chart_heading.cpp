@@ -111,9 +111,11 @@ void ChartHeading::placeEntry(const HeadingEntry& entry, double figuresX) {
     const double needed = QFontMetricsF(m_look.font).horizontalAdvance(entry.figures);
     if (figuresX + needed > m_bounds.width()) {
       beginRow();
-      figuresX = symbolWidth(entry);
+      figuresX = std::clamp(m_bounds.width() - needed, 0.0, symbolWidth(entry));
     }
-    m_pieces.push_back({place(figuresX, figuresWidth(entry)), nullptr, entry.figures, font,
+    const QString figures =
+        QFontMetricsF(font).elidedText(entry.figures, Qt::ElideRight, m_bounds.width() - figuresX);
+    m_pieces.push_back({place(figuresX, figuresWidth(entry)), nullptr, figures, font,
                         entry.hidden ? color : m_look.theme.drift, kInRow});
   }
   m_rowEnd = m_pieces.back().place.right() + kLargeGap * em();

@@ -4,6 +4,7 @@
 #include <QString>
 
 class QDockWidget;
+class QLabel;
 class QWidget;
 
 namespace ui {
@@ -29,10 +30,16 @@ class LessonGuide : public QObject {
   /// Shows the text of the scene the window starts with, if it has one and was not sent away.
   void begin();
 
+  /// Shows the sentence in this label, wanted or not as it was, in place of the panel; null:
+  /// in the panel again.
+  void present(QLabel* sentence);
+
  private:
   void openMenu();
   void takeScene();
   void setTextShown(bool shown);
+  void showText();
+  QWidget* place() const;
   QString lesson() const;
 
   const Commands& m_commands;
@@ -41,6 +48,7 @@ class LessonGuide : public QObject {
   LessonPanel* m_panel;
   QDockWidget* m_dock;
   QWidget* m_window;
+  QLabel* m_sentence = nullptr;     // while presenting
   LessonChooser* m_menu = nullptr;  // made when it is wanted first
 };
 

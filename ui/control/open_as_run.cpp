@@ -28,7 +28,7 @@ int openAsRun(SceneEditor& editor, const core::Solver& solver) {
       draft.solvers.back().step = core::Solver().step;
     }
   };
-  editor.change(edit, QCoreApplication::translate("ui::OpenAsRun", "one run more"));
+  editor.change(edit, QCoreApplication::translate("ui::OpenAsRun", "addition of a run"));
   return static_cast<int>(editor.draft().solvers.size()) - 1;
 }
 

@@ -1,6 +1,5 @@
 #include "ui/control/scene_drop.h"
 
-#include <QApplication>
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QMimeData>
@@ -14,17 +13,15 @@ namespace ui {
 SceneDrop::SceneDrop(SceneFiles* files, QWidget* window)
     : QObject(window), m_files(files), m_window(window) {
   window->setAcceptDrops(true);
-  // Before fields, which would take a file for text.
-  qApp->installEventFilter(this);
+  window->installEventFilter(this);
 }
 
 bool SceneDrop::eventFilter(QObject* watched, QEvent* event) {
   const bool isDrop = event->type() == QEvent::Drop;
   if (!isDrop && event->type() != QEvent::DragEnter && event->type() != QEvent::DragMove)
     return false;
-  const auto* widget = qobject_cast<QWidget*>(watched);
   auto* drop = static_cast<QDropEvent*>(event);
-  if (!widget || widget->window() != m_window || !drop->mimeData()->hasUrls()) return false;
+  if (watched != m_window || !drop->mimeData()->hasUrls()) return false;
   drop->setDropAction(Qt::CopyAction);
   drop->accept();
   if (isDrop) take(*drop->mimeData());

@@ -10,7 +10,7 @@ namespace ui {
 
 class SceneFiles;
 
-/// Opens a scene file that is dropped anywhere onto the window, fields included.
+/// Opens a scene file that is dropped anywhere onto the window.
 class SceneDrop : public QObject {
   Q_OBJECT
 

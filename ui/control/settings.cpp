@@ -10,6 +10,7 @@ namespace {
 
 const QString kPainterKey = QStringLiteral("painter");
 const QString kThemeKey = QStringLiteral("theme");
+const QString kTextSizeKey = QStringLiteral("textSize");
 const QString kChartSizeKey = QStringLiteral("chartSize");
 const QString kPanelsKey = QStringLiteral("panels");
 const QString kHiddenLessonKey = QStringLiteral("hiddenLesson");
@@ -25,6 +26,7 @@ constexpr double kFastest = 1024;  // no button goes so far; a file might
 // In the order of the enumerations.
 const std::array kPainterWords{"automatic", "opengl", "qpainter"};
 const std::array kThemeWords{"desktop", "light", "dark"};
+const std::array kTextSizeWords{"normal", "large", "very-large"};
 
 template <class Choice, std::size_t kCount>
 Choice choiceIn(const QSettings& store, const QString& key,
@@ -54,6 +56,14 @@ ThemeChoice Settings::theme() const {
 
 void Settings::setTheme(ThemeChoice choice) {
   m_store.setValue(kThemeKey, kThemeWords[static_cast<std::size_t>(choice)]);
+}
+
+TextSize Settings::textSize() const {
+  return choiceIn<TextSize>(m_store, kTextSizeKey, kTextSizeWords);
+}
+
+void Settings::setTextSize(TextSize size) {
+  m_store.setValue(kTextSizeKey, kTextSizeWords[static_cast<std::size_t>(size)]);
 }
 
 QSizeF Settings::chartSize() const {

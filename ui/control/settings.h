@@ -24,6 +24,9 @@ class Settings {
   ThemeChoice theme() const;
   void setTheme(ThemeChoice choice);
 
+  TextSize textSize() const;
+  void setTextSize(TextSize size);
+
   /// Of exported charts, in mm on paper.
   QSizeF chartSize() const;
   void setChartSize(QSizeF size);

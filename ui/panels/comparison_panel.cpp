@@ -91,18 +91,25 @@ void ComparisonPanel::buildTable() {
   m_table->verticalHeader()->hide();
   // One line each, so that all four are in sight in the lowest window.
   m_table->setWordWrap(false);
-  m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kRowPadding);
-  m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRowPadding);
   QHeaderView* header = m_table->horizontalHeader();
   header->setSectionResizeMode(QHeaderView::ResizeToContents);
   header->setSectionResizeMode(kName, QHeaderView::Stretch);
-  header->setMinimumSectionSize(fontMetrics().horizontalAdvance(widestFigure()) + kCellPadding);
   header->setHighlightSections(false);
   m_table->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setSelectionMode(QAbstractItemView::NoSelection);
   m_table->setFocusPolicy(Qt::TabFocus);
+  m_table->setTabKeyNavigation(false);  // Tab leaves it again
   m_table->setFrameShape(QFrame::NoFrame);
+  fitToFont();
+}
+
+void ComparisonPanel::fitToFont() {
+  const int row = fontMetrics().height() + kRowPadding;
+  m_table->verticalHeader()->setMinimumSectionSize(row);
+  m_table->verticalHeader()->setDefaultSectionSize(row);
+  m_table->horizontalHeader()->setMinimumSectionSize(
+      fontMetrics().horizontalAdvance(widestFigure()) + kCellPadding);
 }
 
 void ComparisonPanel::listRuns() {
@@ -181,6 +188,7 @@ void ComparisonPanel::paintMarks() {
 void ComparisonPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) paintMarks();
+  if (event->type() == QEvent::FontChange) fitToFont();
 }
 
 void ComparisonPanel::showEvent(QShowEvent* event) {

@@ -32,6 +32,7 @@ class ComparisonPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  void fitToFont();
   void buildTable();
   void listRuns();
   void chooseBase();

@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QLocale>
 
-#include "ui/control/scene_editor.h"
 #include "ui/control/problem_words.h"
+#include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
 
 namespace ui {

@@ -36,6 +36,7 @@ HitTable::HitTable(QWidget* parent) : QTableWidget(parent) {
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setSelectionMode(QAbstractItemView::SingleSelection);
+  setTabKeyNavigation(false);  // Tab leaves it again
   setAlternatingRowColors(true);
   setAccessibleName(tr("Moments that hit"));
   setToolTip(tr("Double-click a row, or press Return, to cut then"));

@@ -28,7 +28,8 @@ QFont bold(const QFont& font) {
 void paintCard(QPainter& painter, const QStyleOptionViewItem& option) {
   const bool chosen = option.state.testFlag(QStyle::State_Selected);
   const bool under = option.state.testFlag(QStyle::State_MouseOver);
-  const QColor edge = option.palette.color(chosen || under ? QPalette::Highlight : QPalette::Mid);
+  const QColor edge =
+      option.palette.color(chosen || under ? QPalette::Highlight : QPalette::PlaceholderText);
   const double width = chosen ? 3 : 1;
   const QRectF card = QRectF(option.rect).adjusted(kGap, kGap, -kGap, -kGap);
   painter.setPen(QPen(edge, width));

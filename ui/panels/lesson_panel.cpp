@@ -53,6 +53,7 @@ LessonPanel::LessonPanel(const Commands& commands, QWidget* parent)
       m_look(paragraph()),
       m_tryHeading(heading(tr("To try"))),
       m_tries(new QGridLayout) {
+  m_tryHeading->hide();
   m_tries->setContentsMargins(0, 0, 0, 0);
   m_tries->setHorizontalSpacing(8);
   m_tries->setVerticalSpacing(6);
@@ -87,6 +88,8 @@ void LessonPanel::showScene(const core::Scene& scene) {
 }
 
 void LessonPanel::showTries(const QStringList& tries) {
+  if (tries == m_shownTries) return;
+  m_shownTries = tries;
   while (QLayoutItem* item = m_tries->takeAt(0)) {
     delete item->widget();
     delete item;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 
 class QGridLayout;
@@ -27,6 +28,7 @@ class LessonPanel : public QWidget {
  private:
   void showTries(const QStringList& tries);
 
+  QStringList m_shownTries;
   QLabel* m_title;
   QLabel* m_look;
   QLabel* m_tryHeading;

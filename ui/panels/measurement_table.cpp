@@ -36,6 +36,7 @@ MeasurementTable::MeasurementTable(QWidget* parent) : QTableWidget(parent) {
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setSelectionMode(QAbstractItemView::SingleSelection);
+  setTabKeyNavigation(false);  // Tab leaves it again
   setAlternatingRowColors(true);
   setAccessibleName(tr("Measured points"));
   setToolTip(tr("Double-click a row, or press Return, to open it as a run"));

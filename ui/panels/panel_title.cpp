@@ -18,6 +18,7 @@ QToolButton* button(const QString& iconName, const QString& tip) {
   button->setIcon(icon(iconName));
   button->setIconSize(kIconSize);
   button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::TabFocus);
   button->setToolTip(tip);
   button->setAccessibleName(tip);
   return button;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QAction>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -13,6 +14,7 @@
 
 #include "ui/control/commands.h"
 #include "ui/control/quantity_text.h"
+#include "ui/panels/large_label.h"
 
 namespace ui {
 namespace {
@@ -58,7 +60,7 @@ PlaybackBar::PlaybackBar(const Commands& commands, QWidget* parent)
     : QWidget(parent),
       m_speedSlider(new QSlider(Qt::Horizontal)),
       m_speedLabel(new QLabel),
-      m_timeLabel(new QLabel),
+      m_timeLabel(new LargeLabel(kTimeType, QStringLiteral("000.000 s"))),
       m_paceLabel(new QLabel) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 16, 2);
@@ -70,6 +72,52 @@ PlaybackBar::PlaybackBar(const Commands& commands, QWidget* parent)
   showTime(0);
   showSpeed(1);
   showKeptShare(1);
+  measure();
+}
+
+int PlaybackBar::widthWith(Qt::ToolButtonStyle style) {
+  for (QToolButton* button : m_wordButtons) button->setToolButtonStyle(style);
+  for (const QObject* child : children()) {
+    // Now, not when the event loop comes to it.
+    const auto* box = qobject_cast<const QWidget*>(child);
+    if (box && box->layout()) box->layout()->activate();
+  }
+  layout()->activate();
+  return layout()->totalMinimumSize().width();
+}
+
+void PlaybackBar::measure() {
+  m_paceLabel->setMinimumWidth(m_paceLabel->fontMetrics().horizontalAdvance(slowText(0.24)));
+  m_leastWidth = widthWith(Qt::ToolButtonIconOnly);
+  m_widthWithWords = widthWith(Qt::ToolButtonTextBesideIcon);
+  updateGeometry();
+  chooseStyle();
+}
+
+void PlaybackBar::chooseStyle() {
+  const bool fits = width() >= m_widthWithWords;
+  const auto style = fits ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
+  for (QToolButton* button : m_wordButtons) button->setToolButtonStyle(style);
+}
+
+QSize PlaybackBar::minimumSizeHint() const {
+  return {m_leastWidth, QWidget::minimumSizeHint().height()};
+}
+
+bool PlaybackBar::event(QEvent* event) {
+  const bool handled = QWidget::event(event);
+  if (event->type() == QEvent::Show) measure();
+  return handled;
+}
+
+void PlaybackBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) measure();
+}
+
+void PlaybackBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  chooseStyle();
 }
 
 QWidget* PlaybackBar::buttons(const Commands& commands) {
@@ -79,7 +127,8 @@ QWidget* PlaybackBar::buttons(const Commands& commands) {
   layout->setSpacing(2);
   layout->addWidget(buttonFor(commands.action(Command::kStepBack), Qt::ToolButtonIconOnly));
   for (const Command command : {Command::kPlay, Command::kStep, Command::kCut, Command::kReset}) {
-    layout->addWidget(buttonFor(commands.action(command), Qt::ToolButtonTextBesideIcon));
+    m_wordButtons.push_back(buttonFor(commands.action(command), Qt::ToolButtonTextBesideIcon));
+    layout->addWidget(m_wordButtons.back());
   }
   return box;
 }
@@ -111,18 +160,11 @@ QWidget* PlaybackBar::timeBox() {
   auto* layout = new QHBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(12);
-  QFont large = m_timeLabel->font();
-  large.setPointSizeF(large.pointSizeF() * kTimeType);
-  large.setBold(true);
-  m_timeLabel->setFont(large);
   m_timeLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_timeLabel->setAccessibleName(tr("Simulated time"));
-  // Room for the longest common text, so that nothing moves while the digits do.
-  m_timeLabel->setMinimumWidth(m_timeLabel->fontMetrics().horizontalAdvance("000.000 s"));
   m_paceLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_paceLabel->setObjectName("pace");
   m_paceLabel->setToolTip(tr("Whether the computer keeps up with the chosen speed"));
-  m_paceLabel->setMinimumWidth(m_paceLabel->fontMetrics().horizontalAdvance(slowText(0.24)));
   layout->addWidget(m_paceLabel);
   layout->addWidget(m_timeLabel);
   return box;

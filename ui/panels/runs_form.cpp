@@ -47,6 +47,7 @@ RunsForm::RunsForm(SceneEditor* editor, QWidget* parent)
   addHeadings();
   for (int i = 0; i < core::kMostSolvers; ++i) addRun(i);
   paintMarks();
+  sizeFields();
   RunsForm::showDraft();
 }
 
@@ -71,9 +72,6 @@ void RunsForm::addRun(int index) {
   connect(row.shown, &QCheckBox::toggled, this, [=, this](bool on) { setShown(index, on); });
   connect(row.method, &QComboBox::activated, this,
           [=, this] { setMethod(index, m_runs[index].method->currentData().toString()); });
-  const int fieldWidth =
-      fontMetrics().horizontalAdvance(QStringLiteral("1/100000 s")) + kArrowsWidth;
-  for (QuantityField* field : {row.step, row.tolerance}) field->setFixedWidth(fieldWidth);
   bindPart(row.step, index, &core::Solver::step);
   bindPart(row.tolerance, index, &core::Solver::tolerance);
 }
@@ -127,7 +125,7 @@ void RunsForm::setShown(int index, bool shown) {
       draft.solvers.erase(draft.solvers.begin() + index);
     }
   };
-  editor()->change(edit, shown ? tr("one run more") : tr("one run less"));
+  editor()->change(edit, shown ? tr("addition of a run") : tr("removal of a run"));
 }
 
 void RunsForm::setMethod(int index, const QString& id) {
@@ -169,6 +167,13 @@ void RunsForm::showRun(int index) {
 void RunsForm::changeEvent(QEvent* event) {
   Form::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) paintMarks();
+  if (event->type() == QEvent::FontChange) sizeFields();
+}
+
+void RunsForm::sizeFields() {
+  const int width = fontMetrics().horizontalAdvance(QStringLiteral("1/100000 s")) + kArrowsWidth;
+  for (const Row& row : m_runs)
+    for (QuantityField* field : {row.step, row.tolerance}) field->setFixedWidth(width);
 }
 
 void RunsForm::paintMarks() {

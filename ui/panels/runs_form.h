@@ -41,6 +41,7 @@ class RunsForm : public Form {
   void showRun(int index);
   void setShown(int index, bool shown);
   void setMethod(int index, const QString& id);
+  void sizeFields();
   void paintMarks();
 
   QGridLayout* m_grid;

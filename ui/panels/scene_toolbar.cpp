@@ -16,6 +16,7 @@ constexpr QSize kIconSize(24, 24);
 
 QToolBar* sceneToolbar(const Commands& commands) {
   auto* bar = new QToolBar;
+  bar->setObjectName("sceneTools");
   bar->setOrientation(Qt::Vertical);
   bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
   bar->setIconSize(kIconSize);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
 
@@ -77,11 +78,18 @@ StepTable::StepTable(QWidget* parent) : QTableWidget(parent) {
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setSelectionMode(QAbstractItemView::NoSelection);
   setFocusPolicy(Qt::TabFocus);
+  setTabKeyNavigation(false);  // Tab leaves it again
   setFrameShape(QFrame::NoFrame);
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   verticalHeader()->setMinimumSectionSize(fontMetrics().height() + 2);
   verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void StepTable::changeEvent(QEvent* event) {
+  QTableWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange)
+    verticalHeader()->setMinimumSectionSize(fontMetrics().height() + 2);
 }
 
 void StepTable::clearPart() {

@@ -37,6 +37,9 @@ class StepTable : public QTableWidget {
                 const std::vector<core::StepEnd>& ends);
   void clearPart();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   struct Line {
     QString name;

@@ -7,8 +7,8 @@
 #include <QRegularExpression>
 
 #include "core/scene/arrangement.h"
-#include "ui/control/scene_editor.h"
 #include "ui/control/problem_words.h"
+#include "ui/control/scene_editor.h"
 #include "ui/panels/weight_columns.h"
 #include "ui/style/theme.h"
 

@@ -6,12 +6,11 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QTableView>
-#include <QToolButton>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "core/scene/placing.h"
@@ -27,6 +26,7 @@ namespace {
 
 constexpr int kRowMargin = 8;  // px above and below the words together
 constexpr int kColumnMargin = 20;
+constexpr QSize kIconSize(16, 16);
 
 /// Keys that move in a table or begin to edit a cell; the window has other uses for them.
 bool isTableKey(const QKeyEvent& event) {
@@ -55,7 +55,7 @@ WeightsTable::WeightsTable(SceneEditor* editor, Selection* selection, QWidget* p
       m_selection(selection),
       m_model(new WeightsModel(editor, this)),
       m_view(new QTableView),
-      m_buttons(new QWidget),
+      m_buttons(new QToolBar),
       m_refusal(new MessageBar(tr("Close"))) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
@@ -104,9 +104,8 @@ void WeightsTable::buildView() {
 }
 
 void WeightsTable::buildButtons() {
-  auto* layout = new QHBoxLayout(m_buttons);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2);
+  m_buttons->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_buttons->setIconSize(kIconSize);
   m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
   addButton("add", tr("Add"), tr("Add a weight"), "Ins", &WeightsTable::addWeight);
   m_needRows = {addButton("duplicate", tr("Duplicate"), tr("Add a copy of each selected weight"),
@@ -138,12 +137,8 @@ QAction* WeightsTable::addButton(const QString& iconName, const QString& words, 
   m_view->addAction(action);
   if (iconName.isEmpty()) return action;
   action->setIcon(icon(iconName));
-  auto* button = new QToolButton;
-  button->setDefaultAction(action);
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setAutoRaise(true);
-  button->setFocusPolicy(Qt::TabFocus);
-  m_buttons->layout()->addWidget(button);
+  m_buttons->addAction(action);
+  m_buttons->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
   return action;
 }
 
@@ -198,7 +193,7 @@ bool WeightsTable::take(PastedScene pasted, const QString& words) {
 }
 
 void WeightsTable::addWeight() {
-  append({core::firstWeight(m_editor->draft().room)}, tr("a new weight"));
+  append({core::firstWeight(m_editor->draft().room)}, tr("addition of a weight"));
 }
 
 void WeightsTable::duplicate() {
@@ -299,8 +294,10 @@ bool WeightsTable::eventFilter(QObject* watched, QEvent* event) {
   const auto* key = static_cast<QKeyEvent*>(event);
   const bool isReturn = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
   if (event->type() == QEvent::ShortcutOverride && isTableKey(*key)) event->accept();
-  if (event->type() == QEvent::KeyPress && isReturn && m_view->currentIndex().isValid()) {
-    m_view->edit(m_view->currentIndex());
+  if (event->type() == QEvent::KeyPress && isReturn) {
+    // One that ends the editing of a cell comes here, too.
+    const QModelIndex current = m_view->currentIndex();
+    if (m_view->hasFocus() && (current.flags() & Qt::ItemIsEditable)) m_view->edit(current);
     return true;
   }
   return QWidget::eventFilter(watched, event);

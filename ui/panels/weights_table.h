@@ -8,8 +8,8 @@
 #include "ui/panels/weights_clipboard.h"
 
 class QAction;
-class QLabel;
 class QTableView;
+class QToolBar;
 
 namespace ui {
 
@@ -27,7 +27,7 @@ class WeightsTable : public QWidget {
   WeightsTable(SceneEditor* editor, Selection* selection, QWidget* parent = nullptr);
 
   /// Buttons for what can be done with the rows, wherever they are laid out.
-  QWidget* buttons() const { return m_buttons; }
+  QToolBar* buttons() const { return m_buttons; }
   QTableView* view() const { return m_view; }
   /// Lets the keys go to the table from now on.
   void takeKeyboard();
@@ -72,7 +72,7 @@ class WeightsTable : public QWidget {
   Selection* m_selection;
   WeightsModel* m_model;
   QTableView* m_view;
-  QWidget* m_buttons;
+  QToolBar* m_buttons;
   MessageBar* m_refusal;
   std::vector<QAction*> m_needRows;  // of no use where nothing is selected
 };

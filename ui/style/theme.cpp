@@ -16,14 +16,14 @@ Theme Theme::light() {
   theme.rope = QColor("#6e5a44");
   theme.outline = QColor("#1b1f24");
   theme.runs = {QColor("#1b1f24"), QColor("#5522ee"), QColor("#cc0033"), QColor("#8a0a8a")};
-  theme.kinetic = QColor("#d55e00");
-  theme.potential = QColor("#0072b2");
-  theme.lostToAir = QColor("#007a5a");
-  theme.lostToImpacts = QColor("#a3478a");
-  theme.lostToRopes = QColor("#8a6d00");
-  theme.lostToFriction = QColor("#767d86");
+  theme.kinetic = QColor("#d47519");
+  theme.potential = QColor("#2282d6");
+  theme.lostToAir = QColor("#0a5533");
+  theme.lostToImpacts = QColor("#733286");
+  theme.lostToRopes = QColor("#8a4906");
+  theme.lostToFriction = QColor("#8e88ac");
   theme.total = QColor("#1b1f24");
-  theme.drift = QColor("#c0002f");
+  theme.drift = QColor("#de005f");
   return theme;
 }
 
@@ -39,14 +39,14 @@ Theme Theme::darkTheme() {
   theme.rope = QColor("#c8ae8c");
   theme.outline = QColor("#f0f3f6");
   theme.runs = {QColor("#f0f3f6"), QColor("#a070ff"), QColor("#ff3366"), QColor("#7ef06a")};
-  theme.kinetic = QColor("#ff9d4d");
-  theme.potential = QColor("#56b4e9");
-  theme.lostToAir = QColor("#2fd1a2");
-  theme.lostToImpacts = QColor("#e29ccb");
-  theme.lostToRopes = QColor("#f0e442");
-  theme.lostToFriction = QColor("#9aa3ad");
+  theme.kinetic = QColor("#e88919");
+  theme.potential = QColor("#39acf8");
+  theme.lostToAir = QColor("#5df5a8");
+  theme.lostToImpacts = QColor("#e293c3");
+  theme.lostToRopes = QColor("#f8dc0f");
+  theme.lostToFriction = QColor("#896c72");
   theme.total = QColor("#f0f3f6");
-  theme.drift = QColor("#ff6b81");
+  theme.drift = QColor("#fd5955");
   return theme;
 }
 

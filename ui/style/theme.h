@@ -8,9 +8,10 @@ class QPalette;
 
 namespace ui {
 
-/// The colors of everything that is drawn, for a light or a dark window. All curve and run
-/// colors are from a color-blind-safe set and have a contrast of at least 3:1 to the
-/// background, text of at least 4.5:1.
+/// The colors of everything that is drawn, for a light or a dark window. Curves can be told
+/// apart by eyes that lack red, green or blue cones, and so can runs, of which each has a dash
+/// of its own besides; curves have a contrast of at least 3:1 to the background, text of at
+/// least 4.5:1. A test sees to it.
 struct Theme {
   bool dark = false;
   QColor background;  ///< around the room and behind charts

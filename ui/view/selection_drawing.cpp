@@ -42,19 +42,27 @@ void addRejected(const core::Weight& weight, double radius, const Theme& theme, 
   const Eigen::Vector2d place = core::startPosition(weight);
   if (weight.rope)
     layer.lines.push_back({weight.rope->pivot, place, 2, withOpacity(theme.drift, 0.7)});
-  layer.discs.push_back({place, radius, 0, 2.5, withOpacity(theme.drift, 0.25), theme.drift.rgb()});
+  layer.discs.push_back({place, radius, 3, 2.5, withOpacity(theme.drift, 0.25), theme.drift.rgb()});
 }
 
-/// Beside a disc, on the side where there is room.
-void addWords(const QStringList& words, const Eigen::Vector2d& center, double radius,
-              const Camera& camera, const SceneLook& look, Drawing& drawing) {
+/// Where words stand beside a disc.
+struct WordsPlace {
+  Eigen::Vector2d center;  ///< of the disc [m]
+  double radius;           ///< [m]
+  bool isLeft;             ///< of it, if there is room
+};
+
+void addWords(const QStringList& words, const WordsPlace& place, const Camera& camera,
+              const SceneLook& look, Drawing& drawing) {
   double width = 0;
   for (const QString& line : words) width = std::max(width, widthOf(line, look.font));
-  const double reach = radius * camera.scale() + kRingMargin + kWordsGap;
+  const double reach = place.radius * camera.scale() + kRingMargin + kWordsGap;
   const double height = static_cast<double>(words.size()) * lineHeight(look.font);
-  const QPointF middle = camera.toPixels(center);
+  const QPointF middle = camera.toPixels(place.center);
+  const bool fitsLeft = middle.x() - reach - width >= kWordsGap;
   const bool fitsRight = middle.x() + reach + width + kWordsGap <= camera.viewport().width();
-  const double left = fitsRight ? middle.x() + reach : middle.x() - reach - width;
+  const bool isLeft = fitsLeft && (place.isLeft || !fitsRight);
+  const double left = isLeft ? middle.x() - reach - width : middle.x() + reach;
   // Below, because the rope is above.
   double top = middle.y() + reach / 2;
   if (top + height > camera.viewport().height()) top = middle.y() - reach - height;
@@ -86,9 +94,11 @@ void drawSelection(const ShownScene& shown, const Camera& camera, const SceneLoo
   }
   if (selection->rejected) addRejected(weight, radius, look.theme, layer);
   if (selection->isMovable) addGrip(weight, shown.marks.arrows.scales, camera, look.theme, layer);
-  const Eigen::Vector2d place =
+  const Eigen::Vector2d center =
       selection->rejected ? core::startPosition(weight) : shown.runs[0].weights[index].position;
-  addWords(selection->words, place, radius, camera, look, drawing);
+  const QPointF grip = velocityGrip(weight, shown.marks.arrows.scales, camera);
+  const bool gripIsRight = selection->isMovable && grip.x() > camera.toPixels(center).x();
+  addWords(selection->words, {center, radius, gripIsRight}, camera, look, drawing);
 }
 
 }  // namespace ui

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include <QTest>
 
 #include "core/scene/arrangement.h"
+#include "ui/chart/stability_grade.h"
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -61,6 +63,20 @@ double difference(const QColor& a, const QColor& b, const Eye& eye) {
   return (labOf(a, eye) - labOf(b, eye)).norm();
 }
 
+/// Of the two that are most alike.
+double leastDifference(const std::vector<QColor>& colors, const Eye& eye) {
+  double least = 1000;
+  for (std::size_t a = 0; a < colors.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      least = std::min(least, difference(colors[a], colors[b], eye));
+  return least;
+}
+
+std::vector<QColor> energies(const ui::Theme& theme) {
+  return {theme.kinetic,     theme.potential,      theme.lostToAir, theme.lostToImpacts,
+          theme.lostToRopes, theme.lostToFriction, theme.total,     theme.drift};
+}
+
 double contrast(const QColor& a, const QColor& b) {
   const Vector3d weights(0.2126, 0.7152, 0.0722);
   const auto [darker, lighter] = std::minmax({linear(a).dot(weights), linear(b).dot(weights)});
@@ -83,6 +99,12 @@ class ThemeTest : public QObject {
   void noRunLooksLikeAWeight();
   void runsStandOutFromTheGround_data() { addThemes(); }
   void runsStandOutFromTheGround();
+  void energiesCanBeToldApart_data() { addThemes(); }
+  void energiesCanBeToldApart();
+  void energiesStandOutFromTheGround_data() { addThemes(); }
+  void energiesStandOutFromTheGround();
+  void weightsCanBeToldApart();
+  void gradesOfStabilityCanBeToldApart();
 
  private:
   static void addThemes() {
@@ -119,6 +141,39 @@ void ThemeTest::runsStandOutFromTheGround() {
   for (const QColor& run : theme.runs)
     for (const QColor& ground : {theme.background, theme.room})
       QVERIFY(contrast(run, ground) >= 4.5);  // names are written in these colors too
+}
+
+void ThemeTest::energiesCanBeToldApart() {
+  QFETCH(bool, dark);
+  const ui::Theme theme = themeNamed(dark);
+  // Thin lines beside each other in a chart, and on a timeline and in a step's slopes.
+  for (const Eye& eye : eyes()) QVERIFY2(leastDifference(energies(theme), eye) >= 20, eye.name);
+}
+
+void ThemeTest::energiesStandOutFromTheGround() {
+  QFETCH(bool, dark);
+  const ui::Theme theme = themeNamed(dark);
+  for (const QColor& ground : {theme.background, theme.room}) {
+    for (const QColor& color : energies(theme)) QVERIFY(contrast(color, ground) >= 3);
+    QVERIFY(contrast(theme.drift, ground) >= 4.5);  // words are written in it
+  }
+}
+
+void ThemeTest::weightsCanBeToldApart() {
+  std::vector<QColor> colors;
+  for (int i = 0; i < 8; ++i) {
+    const core::Color color = core::defaultColor(i);
+    colors.emplace_back(color.red, color.green, color.blue);
+  }
+  // Less than for curves: discs are no thin lines.
+  for (const Eye& eye : eyes()) QVERIFY2(leastDifference(colors, eye) >= 15, eye.name);
+}
+
+void ThemeTest::gradesOfStabilityCanBeToldApart() {
+  std::vector<QColor> colors;
+  for (int grade = 0; grade <= static_cast<int>(ui::StabilityGrade::kDiverged); ++grade)
+    colors.push_back(ui::colorOf(static_cast<ui::StabilityGrade>(grade)));
+  for (const Eye& eye : eyes()) QVERIFY2(leastDifference(colors, eye) >= 20, eye.name);
 }
 
 QTEST_MAIN(ThemeTest)
