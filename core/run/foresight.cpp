@@ -72,7 +72,7 @@ bool Foresight::isCoarse(const Body& body, const Piece& piece, double from, doub
 
 /// Two taut ropes on one pivot whose lengths keep the weights apart at any angles.
 bool Foresight::ropesKeepApart(const Body& a, const Piece& pieceA, const Body& b,
-                            const Piece& pieceB) const {
+                               const Piece& pieceB) const {
   return isTethered(pieceA.mode) && isTethered(pieceB.mode) && a.pivot == b.pivot &&
          std::abs(a.length - b.length) > a.radius + b.radius + m_tolerance.gap;
 }

@@ -21,7 +21,7 @@ struct Words {
 };
 
 // Of the screen's height that the keys may take: title, button and margins need some, too.
-constexpr double kKeysShare = 0.8;
+constexpr double kKeysShare = 0.84;
 constexpr double kMostShare = 0.97;
 
 }  // namespace

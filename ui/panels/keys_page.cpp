@@ -1,6 +1,8 @@
 #include "ui/panels/keys_page.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <QAction>
@@ -42,36 +44,76 @@ QString menuOf(const QAction* action) {
   return {};
 }
 
+/// Commands that are each other's opposite share a line, that of the first.
+constexpr std::pair<Command, Command> kOpposites[] = {
+    {Command::kNextEvent, Command::kPreviousEvent},
+    {Command::kNextImpact, Command::kPreviousImpact},
+    {Command::kNextTurningPoint, Command::kPreviousTurningPoint},
+    {Command::kNextCut, Command::kPreviousCut},
+    {Command::kNextWeight, Command::kPreviousWeight},
+    {Command::kNextChart, Command::kPreviousChart},
+};
+
+QString keysOf(const QAction* action) {
+  return action->shortcut().toString(QKeySequence::NativeText);
+}
+
+/// Alt with each of the arrow keys: the scene has one line for all of them.
+bool isWithAlt(const QAction* action) {
+  return action->shortcut()[0].keyboardModifiers().testFlag(Qt::AltModifier);
+}
+
+/// Nothing where the command has no line of its own.
+std::optional<Line> lineOf(const QAction* action, const Commands& commands) {
+  if (action->shortcut().isEmpty() || isWithAlt(action)) return std::nullopt;
+  const QString meaning = plain(action->text());
+  for (const auto& [next, previous] : kOpposites) {
+    if (action == commands.action(previous)) return std::nullopt;
+    if (action == commands.action(next))
+      return Line{keysOf(action) + QStringLiteral(", ") + keysOf(commands.action(previous)),
+                  KeysPage::tr("%1, previous").arg(meaning)};
+  }
+  return Line{keysOf(action), meaning};
+}
+
 std::vector<Group> commandGroups(const Commands& commands) {
   std::vector<Group> groups;
   for (const QAction* action : commands.all()) {
-    if (action->shortcut().isEmpty()) continue;
+    const std::optional<Line> line = lineOf(action, commands);
+    if (!line) continue;
     const QString name = menuOf(action);
     auto group = std::ranges::find(groups, name, &Group::name);
     if (group == groups.end()) group = groups.insert(groups.end(), Group{name, {}});
-    group->lines.push_back(
-        {action->shortcut().toString(QKeySequence::NativeText), plain(action->text())});
+    group->lines.push_back(*line);
   }
   return groups;
 }
 
 std::vector<Group> otherGroups() {
   const auto tr = [](const char* words) { return KeysPage::tr(words); };
-  return {
-      {tr("In the scene"),
-       {{tr("Wheel"), tr("Zoom")},
-        {tr("Drag"), tr("Move the view")},
-        {tr("Double click"), tr("Fit the room")}}},
-      {tr("In a chart"),
-       {{tr("Wheel, + −"), tr("Zoom")},
-        {tr("Drag"), tr("Zoom to a box")},
-        {tr("Shift+drag, Alt+arrows"), tr("Move what it shows")},
-        {tr("Double click, 0"), tr("Show all")}}},
-      {tr("In a field"),
-       {{tr("Return"), tr("Apply the value")}, {tr("Escape"), tr("Bring back the last value")}}},
-      {tr("Everywhere"),
-       {{tr("Tab, Shift+Tab"), tr("To the next, previous field")},
-        {tr("Alt+letter"), tr("Open the menu with that letter")}}}};
+  return {{tr("In the scene"),
+           {{tr("Wheel, drag"), tr("Zoom, move the view")},
+            {tr("Double click"), tr("Fit the room")},
+            {tr("Click"), tr("Select a weight")},
+            {tr("Drag a weight"), tr("Set its angle or place")},
+            {tr("Shift+drag"), tr("Set its rope's length")},
+            {tr("Drag its arrow"), tr("Set its velocity")},
+            {tr("Ctrl+drag"), tr("Snap")},
+            {tr("Alt+arrows"), tr("Move the weight")},
+            {tr("Alt+Shift+arrows"), tr("Change its velocity")}}},
+          {tr("In the table"),
+           {{tr("Ins, Del"), tr("Add, remove weights")},
+            {tr("Ctrl+C, Ctrl+V"), tr("Copy, paste cells")},
+            {tr("Ctrl+D"), tr("Fill down")}}},
+          {tr("In a chart"),
+           {{tr("Wheel, + −"), tr("Zoom")},
+            {tr("Drag"), tr("Zoom to a box")},
+            {tr("Shift+drag, Alt+arrows"), tr("Move what it shows")},
+            {tr("Double click, 0"), tr("Show all")}}},
+          {tr("Everywhere"),
+           {{tr("Return, Escape"), tr("Apply, restore a field")},
+            {tr("Tab, Shift+Tab"), tr("Next, previous field")},
+            {tr("Alt+letter"), tr("Open that menu")}}}};
 }
 
 /// Lines from the top of a column on.
