@@ -160,7 +160,8 @@ void ToolsWindowTest::showsTensionsByKey() {
 void ToolsWindowTest::switchesByButton() {
   Window window;
   int buttons = 0;
-  for (QToolButton* button : window.findChild<QToolBar*>()->findChildren<QToolButton*>()) {
+  for (QToolButton* button :
+       window.findChild<QToolBar*>("sceneTools")->findChildren<QToolButton*>()) {
     if (!button->defaultAction()) continue;
     const bool before = button->defaultAction()->isChecked();
     QTest::mouseClick(button, Qt::LeftButton);
