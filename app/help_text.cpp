@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "core/methods/method.h"
+#include "ui/control/version.h"
 
 namespace app {
 
@@ -63,7 +64,7 @@ QString helpText() {
 }
 
 QString versionText() {
-  return QStringLiteral("angrycuts %1\n").arg(ANGRYCUTS_VERSION);
+  return QStringLiteral("angrycuts %1\n").arg(ui::version());
 }
 
 }  // namespace app

@@ -1,4 +1,3 @@
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -15,6 +14,7 @@
 #include "app/scenes_command.h"
 #include "app/simulate_command.h"
 #include "app/window_command.h"
+#include "core/system/streams.h"
 #include "ui/control/first_scene.h"
 
 namespace {
@@ -87,7 +87,7 @@ QStringList argumentsOf(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   // A closed pipe is an error that can be told, not a reason to vanish.
-  std::signal(SIGPIPE, SIG_IGN);
+  core::outliveClosedPipes();
   qInstallMessageHandler(showMessage);
 
   const app::CallOrError parsed = app::parseCall(argumentsOf(argc, argv));

@@ -3,28 +3,12 @@
 #include <cstdio>
 
 #include <QCoreApplication>
-#include <QtGlobal>
 
-#ifdef Q_OS_WIN
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
+#include "core/system/streams.h"
 
 namespace app {
-namespace {
 
-bool isTerminal() {
-#ifdef Q_OS_WIN
-  return _isatty(_fileno(stderr)) != 0;
-#else
-  return isatty(STDERR_FILENO) != 0;
-#endif
-}
-
-}  // namespace
-
-ProgressLine::ProgressLine() : m_isShown(isTerminal()) {}
+ProgressLine::ProgressLine() : m_isShown(core::isTerminal(stderr)) {}
 
 ProgressLine::~ProgressLine() {
   if (m_percent >= 0) std::fputs("\r\x1b[K", stderr);

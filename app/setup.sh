@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What app/run, tests/run and .ci/run share; they source it.
+# What app/run, app/package, tests/run and .ci/run share; they source it.
 # Sets `project` (the project's folder) and defines install_packages and build_release.
 
 project=$(CDPATH='' cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -11,6 +11,17 @@ build_packages=(
   g++ cmake ninja-build libeigen3-dev
   qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools
   libgl1-mesa-dri fonts-dejavu-core
+)
+
+# To make a package besides: it finds out which libraries the program needs.
+# shellcheck disable=SC2034
+package_packages=(dpkg-dev file)
+
+# To test besides: a virtual screen, what checks the files a desktop reads, and shells.
+# shellcheck disable=SC2034
+test_packages=(
+  xvfb xauth desktop-file-utils appstream shared-mime-info groff-base zsh fish
+  "${package_packages[@]}"
 )
 
 # To standard error: standard output is the program's.

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QStatusBar>
 
+#include "core/system/screen.h"
 #include "ui/control/draft_keeper.h"
 #include "ui/control/first_scene.h"
 #include "ui/control/translations.h"
@@ -11,16 +12,11 @@
 namespace app {
 
 bool hasDisplay() {
-#ifdef Q_OS_LINUX
   const QString platform = qEnvironmentVariable("QT_QPA_PLATFORM");
   if (platform == QStringLiteral("offscreen") || platform == QStringLiteral("minimal")) {
     return false;
   }
-  return !platform.isEmpty() || !qEnvironmentVariableIsEmpty("DISPLAY") ||
-         !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
-#else
-  return true;
-#endif
+  return !platform.isEmpty() || core::hasScreen();
 }
 
 ExitStatus runWindow(const WindowCall& call) {

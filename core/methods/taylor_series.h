@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include "core/methods/method.h"
 #include "core/motion/series.h"
@@ -23,12 +25,21 @@ struct TaylorSeries {
                                .isAdaptive = true,
                                .isOffered = false};
 
-  /// The longest time over which neither of the last two terms of one quantity exceeds `error`.
+  /// The longest time over which neither of the last two terms of any quantity exceeds its error.
   ///
-  /// @param error  in the quantity's unit, > 0
-  /// @return       [s]; infinite where both terms are zero, not a number where one is none
-  static double reach(const Series& series, double error) {
-    const auto within = [&](int k) { return std::pow(error / std::abs(series[k]), 1.0 / k); };
+  /// @param series  of the quantities, as many as there are errors or more
+  /// @param errors  in the quantities' units, > 0
+  /// @return        [s]; infinite where all those terms are zero, not a number where one is none
+  static double reach(std::span<const Series> series, std::span<const double> errors) {
+    // The root is taken once, of the term that matters: roots cost as much as the series.
+    const auto within = [&](int k) {
+      double largest = 0;
+      for (std::size_t i = 0; i < errors.size(); ++i) {
+        const double share = std::abs(series[i][k]) / errors[i];
+        if (share > largest || std::isnan(share)) largest = share;
+      }
+      return std::pow(largest, -1.0 / k);
+    };
     return std::min(within(kSeriesDegree), within(kSeriesDegree - 1));
   }
 };

@@ -14,7 +14,10 @@ namespace core {
 /// Every operation does to each number what it does to a double, so that a batch gives the
 /// bits of single weights. How many of the eight one instruction takes is for the processor
 /// the code is compiled for: see CORE_VECTOR_SPEED.
-class Lanes {
+///
+/// The alignment is said aloud: the compiler's own depends on the processor it compiles for,
+/// and a batch made by code for the least of them is read by code for the best.
+class alignas(64) Lanes {
  public:
   static constexpr int kCount = 8;
 
@@ -84,8 +87,9 @@ inline double turnedByBit1(double bits, double a) {
 
 // Before a function with a loop over batches: compiles it for several processors, with all
 // it calls, and takes the best one this machine can run when the program starts. Not for
-// fused multiply-add: its results differ in the last digit.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+// fused multiply-add: its results differ in the last digit. Choosing takes a program of the form
+// ELF, which Windows does not have.
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__)
 #define CORE_VECTOR_SPEED [[gnu::target_clones("default", "avx2", "avx512f")]] [[gnu::flatten]]
 #else
 #define CORE_VECTOR_SPEED

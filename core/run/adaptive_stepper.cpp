@@ -155,12 +155,11 @@ bool AdaptiveStepper::fillSeries(const Body& body, Piece& piece) {
     series = form.series(motion.series(form.from(piece.beginState)), piece.beginState[1]);
   });
   m_stepper->addEvaluations(1);
-  double reach = kLongestStep;
-  for (int i = 0; i < 4; ++i) {
-    const double error = kTermShare * m_tolerance * (1 + std::abs(piece.beginState[i]));
-    const double own = TaylorSeries::reach(series[i], error);
-    if (!(own >= reach)) reach = own;
-  }
+  std::array<double, 4> errors{};
+  for (int i = 0; i < 4; ++i)
+    errors[i] = kTermShare * m_tolerance * (1 + std::abs(piece.beginState[i]));
+  const double own = TaylorSeries::reach(series, errors);
+  const double reach = own > kLongestStep ? kLongestStep : own;
   if (!(reach > kSmallestShare * piece.end)) return false;
   const double stretch = piece.end - piece.begin;
   const double step = evened(reach, stretch);

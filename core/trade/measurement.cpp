@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/trade/cpu_clock.h"
+#include "core/system/cpu_clock.h"
 #include "core/trade/timing.h"
 #include "core/trade/trusted_course.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/run/run.h"
-#include "core/trade/cpu_clock.h"
+#include "core/system/cpu_clock.h"
 
 namespace core {
 namespace {

@@ -3,50 +3,22 @@
 //
 //     crowd_bench [SECONDS] [WEIGHTS …]          10 s; 10, 100, 1,000 and 10,000 weights
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <numbers>
-#include <random>
 #include <vector>
 
 #include "core/run/run.h"
-#include "core/scene/scene_limits.h"
+#include "tests/support/crowd.h"
 #include "tests/support/heap.h"
 #include "tests/support/processor_time.h"
 
 using core::Run;
 using core::RunStatus;
-using core::Scene;
 
 namespace {
 
-constexpr double kPacking = 0.3;
-constexpr double kRadius = 0.02;
 constexpr double kStep = 1.0 / 60;
-
-/// Equal discs on a square lattice that fills the box, with velocities up to 0.5 m/s.
-std::shared_ptr<const Scene> crowd(int count) {
-  auto scene = std::make_shared<Scene>();
-  std::mt19937 generator(1);
-  const auto share = [&] { return static_cast<double>(generator()) / 0x1p32; };
-  const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
-  const double cell = kRadius * std::sqrt(std::numbers::pi / kPacking);
-  scene->room = {.width = columns * cell,
-                 .height = std::ceil(static_cast<double>(count) / columns) * cell,
-                 .restitution = 0.8};
-  scene->restitution = 0.8;
-  for (int i = 0; i < count; ++i) {
-    const int row = i / columns;
-    core::Weight weight;
-    weight.radius = kRadius;
-    weight.position = {(i % columns + 0.5) * cell, (row + 0.5) * cell};
-    weight.velocity = {share() - 0.5, share() - 0.5};
-    scene->weights.push_back(weight);
-  }
-  return scene;
-}
 
 /// Takes whole steps up to that time.
 /// @return  false if the run ended before
@@ -59,7 +31,8 @@ bool runUntil(Run& run, double time, double& overlap) {
 }
 
 bool report(int count, double seconds) {
-  Run run(crowd(count), {.method = "rk4", .step = kStep});
+  Run run(std::make_shared<const core::Scene>(tests::crowd(count)),
+          {.method = "rk4", .step = kStep});
   const double start = tests::processorTime();
   double overlap = 0;
   const bool begun = runUntil(run, 1, overlap);

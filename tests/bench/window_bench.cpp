@@ -4,6 +4,7 @@
 //     window_bench                         with the QPainter painter, then with OpenGL
 //     window_bench qpainter [WEIGHTS …]    without a display
 //     window_bench opengl [WEIGHTS …]      on the display there is; needs OpenGL 3.3
+//     window_bench first-frame             opens it with the demonstration, says so, and ends
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "ui/control/first_scene.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/settings.h"
 #include "ui/main_window.h"
@@ -155,6 +157,17 @@ void report(Application& application, int count, bool onRopes) {
   std::fflush(stdout);
 }
 
+/// Opens the window as the program does, and says when its scene has been painted.
+int paintFirstFrame(Application& application) {
+  const ui::FirstScene first = ui::firstScene(QStringLiteral("seven-weights"));
+  if (!first.scene) return EXIT_FAILURE;
+  ui::MainWindow window(*first.scene, first.file);
+  window.show();
+  while (application.work.scene == 0) QCoreApplication::processEvents();
+  std::puts("painted");
+  return EXIT_SUCCESS;
+}
+
 /// Both painters, each in a program of its own.
 int measureBoth(const std::string& self) {
   const std::string without = "QT_QPA_PLATFORM=offscreen '" + self + "' qpainter";
@@ -174,6 +187,7 @@ int main(int argc, char** argv) {
   Application application(argc, argv);
   const QTemporaryDir settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  if (std::strcmp(argv[1], "first-frame") == 0) return paintFirstFrame(application);
   ui::Settings().setPainter(openGl ? ui::PainterChoice::kOpenGl : ui::PainterChoice::kQPainter);
   std::vector<int> counts;
   for (int i = 2; i < argc; ++i) counts.push_back(std::atoi(argv[i]));

@@ -10,8 +10,8 @@
 namespace {
 
 // A folder of core includes only itself and folders before it.
-constexpr std::array kCoreFolders{"scene", "motion",    "methods", "contact",
-                                  "run",   "recording", "trade",   "aim"};
+constexpr std::array kCoreFolders{"system", "scene",     "motion", "methods", "contact",
+                                  "run",    "recording", "trade",  "aim"};
 
 // Files, random numbers and clocks: what would make core depend on more than its input.
 const QStringList kForbiddenInCore{"chrono",   "ctime",      "time.h",     "sys/time.h", "random",
@@ -22,6 +22,14 @@ const QStringList kClocks{"chrono", "ctime"};
 
 /// The only folder that may look at a clock: it measures.
 const QString kFolderWithClock = "trade";
+
+/// The only folder that may know which system the program runs on.
+const QString kSystemFolder = "system";
+
+// What asks a system for something, or asks which one it is.
+const QStringList kOfSystems{"unistd.h", "fcntl.h", "pthread.h", "dlfcn.h",  "signal.h",
+                             "csignal",  "io.h",    "windows.h", "termios.h"};
+const QRegularExpression kWhichSystem(R"(\b(Q_OS_\w+|_WIN32|__linux__|__APPLE__|__unix__)\b)");
 
 qsizetype placeOf(const QString& coreFolder) {
   return std::ranges::find(kCoreFolders, coreFolder) - kCoreFolders.begin();
@@ -34,12 +42,17 @@ bool isOfQt(const QString& header) {
 
 QString faultInCore(const QString& folder, const QString& header, bool isQuoted) {
   if (!isQuoted) {
+    if (folder == kSystemFolder && !isOfQt(header)) return {};
     if (kClocks.contains(header) && folder == kFolderWithClock) return {};
     if (isOfQt(header)) return "core knows no Qt";
     if (kForbiddenInCore.contains(header)) return "core knows no files, random numbers or clocks";
     return {};
   }
   if (header.section('/', 0, 0) != "core") return "core includes only core";
+  if (header.section('/', 1, 1) == kSystemFolder && folder != kSystemFolder &&
+      folder != kFolderWithClock) {
+    return "core depends on no system";
+  }
   const qsizetype own = placeOf(folder);
   const qsizetype included = placeOf(header.section('/', 1, 1));
   const auto count = static_cast<qsizetype>(kCoreFolders.size());
@@ -47,13 +60,20 @@ QString faultInCore(const QString& folder, const QString& header, bool isQuoted)
   return included > own ? "a folder of core includes only those before it" : QString();
 }
 
+bool isOfSystem(const QString& header) {
+  return kOfSystems.contains(header) || header.startsWith("sys/");
+}
+
 /// What is wrong with one line of a source file; empty if it is in order.
 /// @param file  path from the top of the source tree
 QString faultIn(const QString& file, const QString& line) {
+  const bool knowsSystems = file.startsWith("core/" + kSystemFolder + '/');
+  if (!knowsSystems && line.contains(kWhichSystem)) return "only core/system asks which system";
   static const QRegularExpression kInclude(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
   const QRegularExpressionMatch match = kInclude.match(line);
   if (!match.hasMatch()) return {};
   const QString header = match.captured(2);
+  if (!knowsSystems && isOfSystem(header)) return "only core/system asks the system";
   const QString layer = file.section('/', 0, 0);
   if (layer == "core")
     return faultInCore(file.section('/', 1, 1), header, match.captured(1) == "\"");
@@ -118,6 +138,20 @@ void LayeringTest::noticesIncludesThatPointTheWrongWay_data() {
                              << "#include \"app/options.h\"";
   QTest::newRow("app in ui, upwards") << "ui/main_window.cpp"
                                       << "#include \"../app/options.h\"";
+  QTest::newRow("system in run") << "core/run/run.cpp"
+                                 << "#include \"core/system/cpu_clock.h\"";
+  QTest::newRow("Qt in system") << "core/system/screen.cpp"
+                                << "#include <QtGlobal>";
+  QTest::newRow("POSIX in ui") << "ui/files/output_file.cpp"
+                               << "#include <unistd.h>";
+  QTest::newRow("Linux in ui") << "ui/files/output_file.cpp"
+                               << "#include <sys/stat.h>";
+  QTest::newRow("signals in app") << "app/main.cpp"
+                                  << "#include <csignal>";
+  QTest::newRow("which system, by compiler") << "core/motion/lanes.h"
+                                             << "#if defined(__linux__)";
+  QTest::newRow("which system, by Qt") << "app/main.cpp"
+                                       << "#ifdef Q_OS_WIN";
 }
 
 void LayeringTest::noticesIncludesThatPointTheWrongWay() {
@@ -141,6 +175,16 @@ void LayeringTest::allowsIncludesThatPointTheRightWay_data() {
                          << "#include <Eigen/Core>";
   QTest::newRow("clock in trade") << "core/trade/measurement.cpp"
                                   << "#include <chrono>";
+  QTest::newRow("system in trade") << "core/trade/timing.cpp"
+                                   << "#include \"core/system/cpu_clock.h\"";
+  QTest::newRow("POSIX in system") << "core/system/streams.cpp"
+                                   << "#include <unistd.h>";
+  QTest::newRow("clock in system") << "core/system/cpu_clock.cpp"
+                                   << "#include <ctime>";
+  QTest::newRow("which system, in system") << "core/system/streams.cpp"
+                                           << "#ifdef _WIN32";
+  QTest::newRow("system in app") << "app/main.cpp"
+                                 << "#include \"core/system/streams.h\"";
   QTest::newRow("core in ui") << "ui/main_window.cpp"
                               << "#include \"core/run/run.h\"";
   QTest::newRow("Qt in ui") << "ui/main_window.cpp"

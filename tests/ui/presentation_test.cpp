@@ -156,7 +156,7 @@ void PresentationTest::showsTheSceneAndOneChartInLargeType() {
 void PresentationTest::restoresTheLayoutExactly_data() {
   using Prepare = std::function<void(ShownWindow&)>;
   QTest::addColumn<Prepare>("prepare");
-  const auto row = [](const char* name, Prepare prepare) { QTest::newRow(name) << prepare; };
+  const auto row = [](const char* name, const Prepare& prepare) { QTest::newRow(name) << prepare; };
   row("as at the start", [](ShownWindow&) {});
   row("other panels in front", [](ShownWindow& window) {
     window.dock("weights")->raise();

@@ -7,9 +7,9 @@
 namespace ui {
 namespace {
 
-/// "png" in "PNG picture (*.png)".
+/// "png" in "PNG picture (*.png)"; of several the first.
 QString endingOf(const QString& kind) {
-  static const QRegularExpression kPattern(R"(\*\.(\w+))");
+  static const QRegularExpression kPattern(R"(\*\.([\w.]+))");
   return kPattern.match(kind).captured(1);
 }
 

@@ -19,6 +19,8 @@
 namespace ui {
 namespace {
 
+// The longer ending comes first: by it desktops know a scene, and .json is everybody's.
+const QString kEnding = QStringLiteral(".angrycuts.json");
 constexpr double kFirstAngle = std::numbers::pi / 3;  // rad: hanging straight down is no start
 
 core::Scene newScene() {
@@ -110,9 +112,9 @@ bool SceneFiles::save() {
 
 bool SceneFiles::saveAs() {
   const QString name = QString::fromStdString(m_editor->scene()->name);
-  const QString suggested = file().isEmpty() ? fileNameFrom(name) + ".json" : file();
-  const QString chosen =
-      askWhereToSave(m_window, tr("Save scene"), suggested, {tr("Scene (*.json)")});
+  const QString suggested = file().isEmpty() ? fileNameFrom(name) + kEnding : file();
+  const QString chosen = askWhereToSave(m_window, tr("Save scene"), suggested,
+                                        {tr("Scene (*%1 *.json)").arg(kEnding)});
   return !chosen.isEmpty() && saveTo(chosen);
 }
 

@@ -4,7 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <numbers>
+#include <sstream>
+#include <string>
 #include <system_error>
 
 #include "core/scene/angle.h"
@@ -16,12 +19,25 @@ namespace {
 
 constexpr std::size_t kLongestDouble = std::numeric_limits<double>::max_digits10;
 
+/// Reads one number and nothing else; false where the text is something else.
+template <class Number>
+bool read(std::string_view text, Number& number) {
+#ifdef __cpp_lib_to_chars
+  const char* textEnd = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), textEnd, number);
+  return error == std::errc() && end == textEnd;
+#else  // Clang's library on macOS has it for whole numbers only.
+  if (text.find_first_not_of("0123456789+-.eE") != text.npos || text.starts_with('+')) return false;
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
+  return stream >> number && stream.peek() == std::istringstream::traits_type::eof();
+#endif
+}
+
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
   Number number = 0;
-  const char* textEnd = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), textEnd, number);
-  if (error != std::errc() || end != textEnd || !std::isfinite(number)) return std::nullopt;
+  if (!read(text, number) || !std::isfinite(number)) return std::nullopt;
   return number;
 }
 

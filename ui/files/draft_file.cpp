@@ -7,30 +7,15 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "core/system/disk.h"
 #include "ui/files/output_file.h"
 #include "ui/files/scene_file.h"
-
-#ifdef Q_OS_UNIX
-#include <fcntl.h>
-#include <unistd.h>
-#endif
 
 namespace ui {
 namespace {
 
 constexpr quint32 kMagic = 0x41434472;  // "ACDr"
 constexpr quint32 kVersion = 1;
-
-/// A file's new name outlasts a power cut only once its folder is on the disk, too.
-void syncFolderOf(const QString& path) {
-#ifdef Q_OS_UNIX
-  const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
-  const int handle = ::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (handle < 0) return;
-  ::fsync(handle);
-  ::close(handle);
-#endif
-}
 
 }  // namespace
 
@@ -42,7 +27,9 @@ QString writeDraftFile(const QString& path, const KeptDraft& kept) {
          << (kept.draft ? sceneText(*kept.draft) : QByteArray());
   OutputFile output;
   const std::string_view view(bytes.constData(), static_cast<std::size_t>(bytes.size()));
-  if (output.open(path) && output.write(view) && output.finish()) syncFolderOf(path);
+  if (output.open(path) && output.write(view) && output.finish()) {
+    core::syncFolder(QFile::encodeName(QFileInfo(path).absolutePath()).toStdString());
+  }
   return output.error();
 }
 

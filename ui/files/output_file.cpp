@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include "core/system/streams.h"
+
 namespace ui {
 
 namespace {
@@ -42,7 +44,7 @@ bool OutputFile::open(const QString& file) {
 
 bool OutputFile::openStandardOutput() {
   auto output = std::make_unique<QFile>();
-  const bool isOpen = output->open(fileno(stdout), kMode);
+  const bool isOpen = output->open(core::descriptorOf(stdout), kMode);
   m_device = std::move(output);
   return succeeded(isOpen);
 }

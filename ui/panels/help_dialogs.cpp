@@ -8,6 +8,7 @@
 #include <QScreen>
 #include <QVBoxLayout>
 
+#include "ui/control/version.h"
 #include "ui/panels/form_area.h"
 #include "ui/panels/keys_page.h"
 #include "ui/style/icons.h"
@@ -49,7 +50,7 @@ void showAbout(QWidget* window) {
                 "and come to rest. Two numerical methods compute the same scene side by side, and "
                 "an energy ledger shows what each of them gets wrong.</p>"
                 "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-          .arg(QCoreApplication::applicationVersion()));
+          .arg(version()));
 }
 
 }  // namespace ui

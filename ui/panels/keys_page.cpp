@@ -158,7 +158,7 @@ KeysPage::KeysPage(const Commands& commands, int height, QWidget* parent) : QWid
   for (const Group& group : groups) lines += static_cast<int>(group.lines.size()) + 1;
   const int most = std::max(4, height / (fontMetrics().height() + kRowGap));
   // Evenly, and with room for a group's end that would rather not be torn off.
-  const int columns = (lines + most - 1) / most;
+  const int columns = std::max(1, (lines + most - 1) / most);
   const int rows = std::min(most, (lines + columns - 1) / columns + 1);
 
   auto* layout = new QHBoxLayout(this);

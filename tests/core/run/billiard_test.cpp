@@ -1,3 +1,5 @@
+#include "tests/support/billiard.h"
+
 #include <cmath>
 #include <memory>
 
@@ -7,53 +9,6 @@
 
 using core::EventKind;
 using core::Run;
-using core::Scene;
-using core::Weight;
-
-namespace {
-
-constexpr double kSpeed = 1;     // of the heavy disc [m/s]
-constexpr double kUntil = 6;     // all impacts are over by then [s]
-constexpr double kLight = 0.01;  // mass [kg]
-
-/// Galperin's billiard: a heavy disc drives a light one against the west wall.
-std::shared_ptr<const Scene> billiard(double massRatio) {
-  Scene scene;
-  scene.gravity = 0;
-  scene.airDensity = 0;
-  scene.room = {.width = 10, .height = 3, .restitution = 1, .friction = 0};
-  scene.weights.resize(2);
-  Weight& light = scene.weights[0];
-  Weight& heavy = scene.weights[1];
-  light.mass = kLight;
-  light.radius = 0.02;
-  light.position = {0.5, 1.5};
-  heavy.mass = kLight * massRatio;
-  heavy.radius = 0.1;
-  heavy.position = {1.5, 1.5};
-  heavy.velocity = {-kSpeed, 0};
-  return std::make_shared<const Scene>(std::move(scene));
-}
-
-/// Exact x of the heavy disc after `time`.
-///
-/// With a and b the free ways of the two to the wall, (√m a, √M b) moves like a point of
-/// light between two mirrors at an angle α = atan √(m/M): on a straight line when the
-/// mirrored wedges are unfolded next to each other.
-double exactPlace(const Scene& scene, double time) {
-  const Weight& light = scene.weights[0];
-  const Weight& heavy = scene.weights[1];
-  const long double rootRatio = std::sqrt(static_cast<long double>(light.mass) / heavy.mass);
-  const double behind = heavy.radius + 2 * light.radius;
-  const long double across = rootRatio * (light.position.x() - light.radius);
-  const long double along = heavy.position.x() - behind - kSpeed * time;
-  const long double alpha = std::atan(rootRatio);
-  const long double folded = std::fmod(std::atan2(across, along), 2 * alpha);
-  const long double angle = std::min(folded, 2 * alpha - folded);
-  return static_cast<double>(std::hypot(across, along) * std::cos(angle)) + behind;
-}
-
-}  // namespace
 
 class BilliardTest : public QObject {
   Q_OBJECT
@@ -85,15 +40,17 @@ void BilliardTest::countsTheDigitsOfPi() {
   QFETCH(QByteArray, method);
   QFETCH(double, massRatio);
   QFETCH(int, impacts);
-  Run run(billiard(massRatio), {.method = method.toStdString(), .step = 1.0 / 60});
+  Run run(std::make_shared<const core::Scene>(tests::billiard(massRatio)),
+          {.method = method.toStdString(), .step = 1.0 / 60});
   int counted = 0;
-  while (run.time() < kUntil) {
+  while (run.time() < tests::kBilliardEnd) {
     QCOMPARE(run.advance(), core::RunStatus::kRunning);
     for (const core::Event& event : run.stepEvents())
       if (event.kind == EventKind::kImpactWeight || event.kind == EventKind::kImpactWest) ++counted;
   }
   QCOMPARE(counted, impacts);
-  QVERIFY(std::abs(run.weight(1).position.x() - exactPlace(run.scene(), run.time())) < 1e-9);
+  QVERIFY(std::abs(run.weight(1).position.x() -
+                   tests::exactBilliardPlace(run.scene(), run.time())) < 1e-9);
   // Each impact rounds the light disc's energy once.
   QVERIFY(std::abs(run.energies().numericalDrift) < 1e-15 * impacts * run.startEnergy());
 }

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include <QTest>
 
 #include "core/recording/motion_log.h"
+#include "tests/support/processor_time.h"
 #include "tests/ui/chart/recorded_scene.h"
 #include "tests/ui/chart/sample_ledgers.h"
 #include "ui/chart/chart_widget.h"
@@ -14,21 +14,14 @@ namespace {
 constexpr int kSamples = 40000;
 constexpr double kUntil = 600;  // [s]
 
-/// Of this process [ms].
-double cpuTime() {
-  timespec now = {};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
 /// The least of several, for caches may be cold and other programs at work [ms].
 template <class Work>
 double leastTime(int times, Work work) {
   double least = 1e9;
   for (int i = 0; i < times; ++i) {
-    const double start = cpuTime();
+    const double start = tests::processorTime();
     work(i);
-    least = std::min(least, cpuTime() - start);
+    least = std::min(least, 1e3 * (tests::processorTime() - start));
   }
   return least;
 }

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace core {
+
+/// Whether windows can be opened here, as far as the surroundings tell.
+bool hasScreen();
+
+}  // namespace core
