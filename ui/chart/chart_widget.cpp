@@ -16,6 +16,7 @@
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QScreen>
 #include <QWheelEvent>
 
 #include "ui/chart/chart_readings.h"
@@ -34,7 +35,8 @@ constexpr double kPausePerWork = 4;
 constexpr double kLeastTime = 2;  // [s]
 // So that an update takes a small part of a 30th of a second, the scene the rest.
 constexpr std::size_t kMostPoints = 10000;
-constexpr QSize kLeastSize(360, 140);
+constexpr int kLeastWidth = 360;                       // px
+constexpr int kLeastHeight = 140, kUsualHeight = 180;  // px, on a small screen and others
 
 constexpr double kWheelFactor = 1.2;  // for each notch
 constexpr double kKeyFactor = 1.5;
@@ -76,7 +78,8 @@ ChartWidget::ChartWidget(QWidget* parent)
   m_plot->setMostPoints(kMostPoints);
   m_catchUp.setSingleShot(true);
   connect(&m_catchUp, &QTimer::timeout, this, &ChartWidget::refresh);
-  setMinimumSize(kLeastSize);
+  const int share = screen()->size().height() / 4;
+  setMinimumSize(kLeastWidth, std::clamp(share, kLeastHeight, kUsualHeight));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   applyLook();
