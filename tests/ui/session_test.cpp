@@ -257,10 +257,10 @@ void SessionTest::stepsBackToTheFirstImpact(Window& window) {
   straight.goTo(impacts.front());
   QVERIFY(m_impact == momentOf(straight));
 
-  window.settle();
+  Window::settle();
   QVERIFY(window.says(QString("%1 s").arg(impacts.front(), 0, 'f', 3)));
   window.findChild<QDockWidget*>("events")->raise();
-  window.settle();
+  Window::settle();
   const auto* list = window.findChild<ui::EventsPanel*>()->findChild<QTableView*>();
   const auto& events = window.controller()->recording(0).eventLog().events();
   const core::Event& marked = events[static_cast<std::size_t>(list->currentIndex().row())];
@@ -268,7 +268,7 @@ void SessionTest::stepsBackToTheFirstImpact(Window& window) {
   QCOMPARE(marked.time, impacts.front());
 
   window.findChild<QDockWidget*>("charts")->raise();
-  window.settle();
+  Window::settle();
 
   window.press(Qt::Key_End);
   QVERIFY(window.moment() == end);
@@ -319,7 +319,7 @@ void SessionTest::undoesAChange(Window& window) {
   const Eigen::Vector2d pivot = before.weights[1].rope->pivot;
   const Eigen::Vector2d down = pivot - Eigen::Vector2d(0, before.weights[1].rope->length);
   hand.drag(weight, down);
-  window.settle();
+  Window::settle();
   // Where a pixel lies, seen from the pivot.
   const double grain = 2 * hand.grain() / before.weights[1].rope->length;
   QVERIFY(std::abs(window.controller()->scene().weights[1].rope->angle) < grain);
@@ -344,13 +344,13 @@ void SessionTest::playsTheSameAgain(Window& window) {
 }
 
 void SessionTest::presents(Window& window) {
-  window.settle();
+  Window::settle();
   const QByteArray layout = window.saveState();
   const QRect geometry = window.geometry();
   const QStringList panels = window.visiblePanels();
   QVERIFY(panels.contains("runs"));
   window.press(Qt::Key_F11);
-  window.settle();
+  Window::settle();
   QVERIFY(window.isFullScreen());
   QVERIFY(window.findChild<ui::SceneArea*>()->isVisible());
   QCOMPARE(window.visiblePanels(), QStringList("charts"));
@@ -360,7 +360,7 @@ void SessionTest::presents(Window& window) {
   QVERIFY(window.moment() == m_impact);
 
   window.press(Qt::Key_Escape);
-  window.settle();
+  Window::settle();
   QVERIFY(!window.isFullScreen());
   QCOMPARE(window.visiblePanels(), panels);
   QCOMPARE(window.geometry(), geometry);
