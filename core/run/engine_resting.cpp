@@ -91,10 +91,8 @@ void Engine::settle(double s, bool foresee) {
   for (int local = 0; local < static_cast<int>(members.size()); ++local) group.expand(local);
   pull(group, s, duration);
   warmStart(group);
-  // What is slow is solved as well as a small group, or it would never fall asleep.
-  const bool isSlow = kShare * m_fastestSettled <= kCoarsest;
-  group.solve({std::clamp(kShare * m_fastestSettled, kFinest, kCoarsest * looseness()),
-               isSlow ? kMostSweeps : mostSweeps()});
+  group.solve(
+      {std::clamp(kShare * m_fastestSettled, kFinest, kCoarsest * looseness()), mostSweeps()});
   letGo(group, s);
   loseQuietly(s, std::max(0.0, pushLoss(group.contacts, group.unkicked, group.weights)),
               std::max(0.0, dragLoss(group.contacts, group.unkicked, group.weights)));
