@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,16 @@ struct PushRow {
 /// @param duration  of the stretch [s], > 0
 PushRow pushRow(const RestingContact& contact, std::span<const RestingWeight> weights,
                 double duration);
+
+/// Sets the push of one contact right, as the others are, for the velocities of its weights.
+inline void settle(PushRow& row, Eigen::Vector2d& a, Eigen::Vector2d& b) {
+  const double approach = row.normalA.dot(a) - row.normalB.dot(b) + row.gapSpeed;
+  const double pushed = std::max(0.0, row.push - approach * row.stiffness);
+  row.change = pushed - row.push;
+  row.push = pushed;
+  a += row.change * row.responseA;
+  b -= row.change * row.responseB;
+}
 
 /// The friction at one contact with a surface: solved it has |drag| ≤ μ push, and either no
 /// slip or drag at that bound against it.

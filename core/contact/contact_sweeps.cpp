@@ -16,16 +16,8 @@ struct Sweep {
   double square = 0;   // of all changes, in the metric of the masses [J]
 };
 
-/// Sets the push of one contact right, as the others are.
 void settle(PushRow& row, ContactProblem& problem) {
-  Eigen::Vector2d& a = problem.velocities[row.a];
-  Eigen::Vector2d& b = problem.velocities[row.b];
-  const double approach = row.normalA.dot(a) - row.normalB.dot(b) + row.gapSpeed;
-  const double pushed = std::max(0.0, row.push - approach * row.stiffness);
-  row.change = pushed - row.push;
-  row.push = pushed;
-  a += row.change * row.responseA;
-  b -= row.change * row.responseB;
+  settle(row, problem.velocities[row.a], problem.velocities[row.b]);
 }
 
 void sweepPushes(ContactProblem& problem, Sweep& sweep) {

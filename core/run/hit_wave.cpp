@@ -68,14 +68,7 @@ bool Engine::HitWave::runThroughQueue() {
 
 void Engine::HitWave::settle(int index) {
   PushRow& row = m_rows[index];
-  Eigen::Vector2d& a = m_group.weights[row.a].velocity;
-  Eigen::Vector2d& b = m_group.weights[row.b].velocity;
-  const double approach = row.normalA.dot(a) - row.normalB.dot(b) + row.gapSpeed;
-  const double pushed = std::max(0.0, row.push - approach * row.stiffness);
-  const double change = pushed - row.push;
-  row.push = pushed;
-  a += change * row.responseA;
-  b -= change * row.responseB;
+  core::settle(row, m_group.weights[row.a].velocity, m_group.weights[row.b].velocity);
   if (m_group.contacts[index].friction > 0) brake(index);
 }
 
