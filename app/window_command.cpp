@@ -19,6 +19,20 @@ bool hasDisplay() {
   return !platform.isEmpty() || core::hasScreen();
 }
 
+QString windowFailure(const QString& reason) {
+  QStringList displays;
+  for (const char* name : {"QT_QPA_PLATFORM", "WAYLAND_DISPLAY", "DISPLAY"}) {
+    if (qEnvironmentVariableIsEmpty(name)) continue;
+    displays << QLatin1String(name) + '=' + qEnvironmentVariable(name);
+  }
+  // Qt advises to install the program again, which helps nobody whose display is gone.
+  const bool isDisplay = reason.startsWith(QStringLiteral("This application failed to start"));
+  return QCoreApplication::translate("app::main", "the window cannot be opened: %1")
+      .arg(isDisplay ? QCoreApplication::translate("app::main", "no display answers (%1)")
+                           .arg(displays.join(QStringLiteral(", ")))
+                     : reason);
+}
+
 ExitStatus runWindow(const WindowCall& call) {
   ui::installTranslations(*QCoreApplication::instance());
   const ui::FirstScene first = ui::firstScene(call.scene);

@@ -8,6 +8,10 @@ namespace app {
 /// Whether there is a screen that somebody could see a window on.
 bool hasDisplay();
 
+/// In a line, why Qt could not open any window.
+/// @param reason  Qt's own words
+QString windowFailure(const QString& reason);
+
 /// `angrycuts [SCENE]`: opens the window and stays until it is closed.
 /// @pre hasDisplay(); a QApplication exists
 ExitStatus runWindow(const WindowCall& call);

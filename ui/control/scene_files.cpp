@@ -14,6 +14,7 @@
 #include "ui/control/problem_words.h"
 #include "ui/control/recent_files.h"
 #include "ui/control/scene_editor.h"
+#include "ui/control/scene_loading.h"
 #include "ui/files/scene_file.h"
 
 namespace ui {
@@ -89,11 +90,9 @@ void SceneFiles::leaveAndOpen(const QString& file) {
 }
 
 void SceneFiles::open(const QString& file) {
-  SceneOrError read = readSceneFile(file);
-  if (!read.scene) {
-    warnNotOpened(file, read.error);
-    return;
-  }
+  SceneOrError read = readForWindow(file, m_window);
+  if (!read.error.isEmpty()) warnNotOpened(file, read.error);
+  if (!read.scene) return;
   m_editor->replace(std::move(*read.scene), file, openingWords(QFileInfo(file).fileName()));
 }
 
