@@ -57,6 +57,8 @@ class FaultyInputTest : public QObject {
   void startsWithDamagedSettings_data();
   void startsWithDamagedSettings();
   void mendsDamagedSettings();
+  void doesNotWaitForTheDead_data();
+  void doesNotWaitForTheDead();
 
  private:
   QString path(const QString& name) const { return m_folder->filePath(name); }
@@ -255,6 +257,24 @@ void FaultyInputTest::mendsDamagedSettings() {
   { MainWindow window(*first.scene, first.file); }
   QCOMPARE(ui::firstScene({}).message, QString());
   QCOMPARE(ui::Settings().theme(), ui::ThemeChoice::kDark);
+}
+
+void FaultyInputTest::doesNotWaitForTheDead_data() {
+  QTest::addColumn<QByteArray>("lock");
+  QTest::newRow("killed before it could say who it is") << QByteArray();
+  QTest::newRow("this computer had another name")
+      << QByteArray("1\nangrycuts\nelsewhere\nid\nid\n");
+}
+
+void FaultyInputTest::doesNotWaitForTheDead() {
+  QFETCH(QByteArray, lock);
+  QVERIFY(QDir().mkpath(path("config/angrycuts")));
+  write(settingsFile() + ".lock", lock);
+  ui::Settings settings;
+  // Before anything is written: for that Qt would wait half a minute.
+  QVERIFY(!QFile::exists(settingsFile() + ".lock"));
+  settings.setSpeed(2);
+  QCOMPARE(settings.speed(), 2.0);
 }
 
 QTEST_MAIN(FaultyInputTest)

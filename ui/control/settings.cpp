@@ -7,6 +7,7 @@
 
 #include "ui/chart/chart_export.h"
 #include "ui/control/chart_size_dialog.h"
+#include "ui/files/file_lock.h"
 
 namespace ui {
 namespace {
@@ -47,7 +48,9 @@ Choice choiceIn(const QSettings& store, const QString& key,
 
 }  // namespace
 
-Settings::Settings() : m_store("angrycuts", "angrycuts") {}
+Settings::Settings() : m_store("angrycuts", "angrycuts") {
+  freeSettingsOfTheDead(m_store.fileName());
+}
 
 QString Settings::trouble() const {
   const QString file = QDir::toNativeSeparators(m_store.fileName());
