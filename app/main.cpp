@@ -57,6 +57,7 @@ class Dispatch {
 
   app::ExitStatus operator()(const app::WindowCall& call) const {
     if (app::hasDisplay()) {
+      app::startNoBus();
       QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);  // docks float
       const QApplication application(m_argc, m_argv);
       return app::runWindow(call);

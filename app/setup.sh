@@ -17,10 +17,11 @@ build_packages=(
 # shellcheck disable=SC2034
 package_packages=(dpkg-dev file)
 
-# To test besides: a virtual screen, what checks the files a desktop reads, and shells.
+# To test besides: a virtual screen, what checks the files a desktop reads, shells, and what
+# watches system calls.
 # shellcheck disable=SC2034
 test_packages=(
-  xvfb xauth desktop-file-utils appstream shared-mime-info groff-base zsh fish
+  xvfb xauth desktop-file-utils appstream shared-mime-info groff-base zsh fish strace
   "${package_packages[@]}"
 )
 

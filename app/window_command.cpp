@@ -1,6 +1,7 @@
 #include "app/window_command.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QStatusBar>
 
 #include "core/system/screen.h"
@@ -17,6 +18,12 @@ bool hasDisplay() {
     return false;
   }
   return !platform.isEmpty() || core::hasScreen();
+}
+
+void startNoBus() {
+  const QString bus = qEnvironmentVariable("XDG_RUNTIME_DIR") + QStringLiteral("/bus");
+  if (!qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS") || QFile::exists(bus)) return;
+  qputenv("DBUS_SESSION_BUS_ADDRESS", "disabled:");
 }
 
 QString windowFailure(const QString& reason) {

@@ -15,6 +15,7 @@
 #include "ui/control/recent_files.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_loading.h"
+#include "ui/control/warning.h"
 #include "ui/files/scene_file.h"
 
 namespace ui {
@@ -97,8 +98,8 @@ void SceneFiles::open(const QString& file) {
 }
 
 void SceneFiles::warnNotOpened(const QString& file, const QString& reason) {
-  QMessageBox::warning(m_window, tr("Scene not opened"),
-                       tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), reason));
+  warn(m_window, tr("Scene not opened"),
+       tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), reason));
 }
 
 QString SceneFiles::openingWords(const QString& name) {
@@ -120,8 +121,8 @@ bool SceneFiles::saveAs() {
 bool SceneFiles::saveTo(const QString& file) {
   const QString error = writeSceneFile(file, *m_editor->scene());
   if (!error.isEmpty()) {
-    QMessageBox::warning(m_window, tr("Scene not saved"),
-                         tr("%1 was not saved:\n%2").arg(QFileInfo(file).fileName(), error));
+    warn(m_window, tr("Scene not saved"),
+         tr("%1 was not saved:\n%2").arg(QFileInfo(file).fileName(), error));
     return false;
   }
   m_editor->setSavedAs(file);

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QFileInfo>
+#include <QLabel>
 #include <QProgressDialog>
 
 #include "ui/control/background_task.h"
@@ -23,6 +24,7 @@ struct Words {
 SceneOrError readBeside(const QString& file, QWidget* window) {
   QProgressDialog dialog(Words::tr("Opening %1…").arg(QFileInfo(file).fileName()),
                          Words::tr("Cancel"), 0, 100, window);
+  dialog.findChild<QLabel*>()->setTextFormat(Qt::PlainText);
   dialog.setWindowModality(Qt::ApplicationModal);
   dialog.setMinimumDuration(0);
   dialog.setAutoClose(false);
