@@ -74,7 +74,7 @@ install_packages() {
   as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
 }
 
-# Configures, and builds one target in Release in build/release.
+# Configures, and builds targets in Release in build/release.
 build_release() {
   local -a options=() ninja=()
   # Nobody reads the warnings of a build without a person in front of it, so they stop it.
@@ -84,5 +84,5 @@ build_release() {
   [ -e "$project/build/release/build.ninja" ] ||
     say "building in $project/build/release, which takes minutes the first time"
   cmake -S "$project" --preset release "${options[@]}" >/dev/null
-  cmake --build "$project/build/release" --target "$1" "${ninja[@]}" >&2
+  cmake --build "$project/build/release" --target "$@" "${ninja[@]}" >&2
 }
