@@ -430,11 +430,11 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>Speed over time</source>
-        <translation>Geschwindigkeit über der Zeit</translation>
+        <translation>Tempo über der Zeit</translation>
     </message>
 </context>
 <context>
@@ -691,7 +691,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Go on by 1/60 s, times the speed</source>
-        <translation>Um 1/60 s mal Tempo weitergehen</translation>
+        <translation>Um 1/60 s mal Ablauftempo weitergehen</translation>
     </message>
     <message>
         <source>Step a f&amp;rame back</source>
@@ -699,7 +699,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Go back by 1/60 s, times the speed</source>
-        <translation>Um 1/60 s mal Tempo zurückgehen</translation>
+        <translation>Um 1/60 s mal Ablauftempo zurückgehen</translation>
     </message>
     <message>
         <source>&amp;Cut the ropes</source>
@@ -731,7 +731,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Halve the speed</source>
-        <translation>Das Tempo halbieren</translation>
+        <translation>Das Ablauftempo halbieren</translation>
     </message>
     <message>
         <source>F&amp;aster</source>
@@ -739,7 +739,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Double the speed</source>
-        <translation>Das Tempo verdoppeln</translation>
+        <translation>Das Ablauftempo verdoppeln</translation>
     </message>
     <message>
         <source>Split &amp;views</source>
@@ -923,7 +923,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>S&amp;tart or stop the stopwatch</source>
-        <translation>Stoppuhr s&amp;tarten oder anhalten</translation>
+        <translation>Stoppuhr s&amp;tarten, anhalten</translation>
     </message>
     <message>
         <source>Start the stopwatch at the moment shown, or stop it</source>
@@ -1894,7 +1894,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Zoom, move the view</source>
-        <translation>Zoomen, Ansicht verschieben</translation>
+        <translation>Zoomen, verschieben</translation>
     </message>
     <message>
         <source>Double click</source>
@@ -1918,7 +1918,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Set its angle or place</source>
-        <translation>Winkel oder Ort einstellen</translation>
+        <translation>Winkel oder Ort setzen</translation>
     </message>
     <message>
         <source>Shift+drag</source>
@@ -1926,7 +1926,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Set its rope&apos;s length</source>
-        <translation>Seillänge einstellen</translation>
+        <translation>Seillänge setzen</translation>
     </message>
     <message>
         <source>Drag its arrow</source>
@@ -1934,7 +1934,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Set its velocity</source>
-        <translation>Geschwindigkeit einstellen</translation>
+        <translation>Geschwindigkeit setzen</translation>
     </message>
     <message>
         <source>Ctrl+drag</source>
@@ -1946,7 +1946,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Alt+arrows</source>
-        <translation>Alt+Pfeiltasten</translation>
+        <translation>Alt+Pfeile</translation>
     </message>
     <message>
         <source>Move the weight</source>
@@ -1954,7 +1954,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Alt+Shift+arrows</source>
-        <translation>Alt+Umschalt+Pfeiltasten</translation>
+        <translation>Alt+Umschalt+Pfeile</translation>
     </message>
     <message>
         <source>Change its velocity</source>
@@ -1970,7 +1970,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Add, remove weights</source>
-        <translation>Gewichte hinzufügen, entfernen</translation>
+        <translation>Gewichte dazu, weg</translation>
     </message>
     <message>
         <source>Ctrl+C, Ctrl+V</source>
@@ -2006,11 +2006,11 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Zoom to a box</source>
-        <translation>In einen Rahmen zoomen</translation>
+        <translation>Auf Rahmen zoomen</translation>
     </message>
     <message>
         <source>Shift+drag, Alt+arrows</source>
-        <translation>Umschalt+Ziehen, Alt+Pfeiltasten</translation>
+        <translation>Umschalt+Ziehen, Alt+Pfeile</translation>
     </message>
     <message>
         <source>Move what it shows</source>
@@ -2034,7 +2034,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Apply, restore a field</source>
-        <translation>Feld übernehmen, wiederherstellen</translation>
+        <translation>Eingabe annehmen, verwerfen</translation>
     </message>
     <message>
         <source>Tab, Shift+Tab</source>
@@ -2042,7 +2042,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Next, previous field</source>
-        <translation>Nächstes, voriges Feld</translation>
+        <translation>Feld vor, zurück</translation>
     </message>
     <message>
         <source>Alt+letter</source>
@@ -2143,7 +2143,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Seven weights in a room</source>
-        <translation>Sieben Gewichte in einem Raum</translation>
+        <translation>Sieben Gewichte im Raum</translation>
     </message>
     <message>
         <source>Watch seven weights swing, all ropes cut at once: they fly, bounce off each other, the walls and the floor, and two methods soon disagree about where.</source>
@@ -2199,7 +2199,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Let it play for a minute at speed 8×: is the first run still the same?</source>
-        <translation>Lassen Sie eine Minute im Tempo 8× abspielen: Ist der erste Lauf noch derselbe?</translation>
+        <translation>Lassen Sie eine Minute mit Ablauf 8× abspielen: Ist der erste Lauf noch derselbe?</translation>
     </message>
     <message>
         <source>Half the step</source>
@@ -2271,7 +2271,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Switch to speed 1/8× at the moment the rope goes slack: the weight flies as if thrown.</source>
-        <translation>Schalten Sie in dem Moment auf Tempo 1/8×, in dem das Seil schlaff wird: Das Gewicht fliegt wie geworfen.</translation>
+        <translation>Schalten Sie in dem Moment, in dem das Seil schlaff wird, auf Ablauf 1/8×: Das Gewicht fliegt wie geworfen.</translation>
     </message>
     <message>
         <source>Open the Ledger chart: how much energy does the jerk cost?</source>
@@ -2307,15 +2307,15 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Watch three balls of one size fall: the light ones soon fall at a constant speed, where the drag of the air is as large as their weight.</source>
-        <translation>Beobachten Sie, wie drei gleich große Bälle fallen: Die leichten fallen bald mit konstanter Geschwindigkeit, bei der der Luftwiderstand so groß ist wie ihre Gewichtskraft.</translation>
+        <translation>Beobachten Sie, wie drei gleich große Bälle fallen: Die leichten fallen bald mit konstantem Tempo, bei dem der Luftwiderstand so groß ist wie ihre Gewichtskraft.</translation>
     </message>
     <message>
         <source>Open the Speed chart: whose curve becomes level, and how soon?</source>
-        <translation>Öffnen Sie das Diagramm „Geschwindigkeit“: Wessen Kurve wird waagerecht, und wie bald?</translation>
+        <translation>Öffnen Sie das Diagramm „Tempo“: Wessen Kurve wird waagerecht, und wie bald?</translation>
     </message>
     <message>
         <source>Read off both level speeds: the second ball is four times as heavy as the first.</source>
-        <translation>Lesen Sie die beiden konstanten Geschwindigkeiten ab: Der zweite Ball ist viermal so schwer wie der erste.</translation>
+        <translation>Lesen Sie beide Endgeschwindigkeiten ab: Der zweite Ball ist viermal so schwer wie der erste.</translation>
     </message>
     <message>
         <source>Set the air density to 0: all three hit the floor together.</source>
@@ -2355,7 +2355,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Play the impacts at speed 1/64×: the push passes through four weights in no time.</source>
-        <translation>Spielen Sie die Stöße im Tempo 1/64× ab: Der Stoß läuft augenblicklich durch vier Gewichte.</translation>
+        <translation>Spielen Sie die Stöße mit Ablauf 1/64× ab: Der Stoß läuft augenblicklich durch vier Gewichte.</translation>
     </message>
     <message>
         <source>Set the restitution of weights to 0.5: after a while all swing together.</source>
@@ -2704,11 +2704,11 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Speed</source>
-        <translation>Tempo</translation>
+        <translation>Ablauftempo</translation>
     </message>
     <message>
         <source>Speed (, and .)</source>
-        <translation>Tempo (, und .)</translation>
+        <translation>Ablauftempo (, und .)</translation>
     </message>
     <message>
         <source>Simulated time</source>
@@ -2716,7 +2716,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Whether the computer keeps up with the chosen speed</source>
-        <translation>Ob der Computer mit dem gewählten Tempo Schritt hält</translation>
+        <translation>Ob der Computer mit dem gewählten Ablauftempo Schritt hält</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -2728,7 +2728,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Speed %1</source>
-        <translation>Tempo %1</translation>
+        <translation>Ablauf %1</translation>
     </message>
 </context>
 <context>
@@ -3809,7 +3809,7 @@ in m</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>m/s</source>

@@ -559,7 +559,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>All runs</source>
-        <translation>Alla körningar</translation>
+        <translation>Alla</translation>
     </message>
 </context>
 <context>
@@ -1945,7 +1945,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Alt+arrows</source>
-        <translation>Alt+piltangenter</translation>
+        <translation>Alt+pilar</translation>
     </message>
     <message>
         <source>Move the weight</source>
@@ -1953,7 +1953,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Alt+Shift+arrows</source>
-        <translation>Alt+Shift+piltangenter</translation>
+        <translation>Alt+Shift+pilar</translation>
     </message>
     <message>
         <source>Change its velocity</source>
@@ -2009,7 +2009,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Shift+drag, Alt+arrows</source>
-        <translation>Shift+dra, Alt+piltangenter</translation>
+        <translation>Shift+dra, Alt+pilar</translation>
     </message>
     <message>
         <source>Move what it shows</source>
@@ -2314,7 +2314,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Read off both level speeds: the second ball is four times as heavy as the first.</source>
-        <translation>Läs av de båda konstanta farterna: den andra bollen är fyra gånger så tung som den första.</translation>
+        <translation>Läs av båda gränshastigheterna: den andra bollen är fyra gånger så tung som den första.</translation>
     </message>
     <message>
         <source>Set the air density to 0: all three hit the floor together.</source>
