@@ -1484,7 +1484,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>At the start</source>
-        <translation>Beim Start</translation>
+        <translation>Anfang</translation>
     </message>
     <message>
         <source>Kinetic</source>
@@ -1542,15 +1542,15 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Before (m/s)</source>
-        <translation>Vorher (m/s)</translation>
+        <translation>Vor (m/s)</translation>
     </message>
     <message>
         <source>After (m/s)</source>
-        <translation>Nachher (m/s)</translation>
+        <translation>Nach (m/s)</translation>
     </message>
     <message>
         <source>Energy lost (J)</source>
-        <translation>Energieverlust (J)</translation>
+        <translation>Verlust (J)</translation>
     </message>
 </context>
 <context>

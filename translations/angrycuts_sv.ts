@@ -1549,7 +1549,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Energy lost (J)</source>
-        <translation>Energiförlust (J)</translation>
+        <translation>Förlust (J)</translation>
     </message>
 </context>
 <context>
