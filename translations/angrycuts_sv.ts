@@ -1921,7 +1921,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Shift+drag</source>
-        <translation>Shift+dra</translation>
+        <translation>Skift+dra</translation>
     </message>
     <message>
         <source>Set its rope&apos;s length</source>
@@ -1953,7 +1953,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Alt+Shift+arrows</source>
-        <translation>Alt+Shift+pilar</translation>
+        <translation>Alt+Skift+pilar</translation>
     </message>
     <message>
         <source>Change its velocity</source>
@@ -1965,7 +1965,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Ins, Del</source>
-        <translation>Ins, Del</translation>
+        <translation>Insert, Delete</translation>
     </message>
     <message>
         <source>Add, remove weights</source>
@@ -2009,7 +2009,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Shift+drag, Alt+arrows</source>
-        <translation>Shift+dra, Alt+pilar</translation>
+        <translation>Skift+dra, Alt+pilar</translation>
     </message>
     <message>
         <source>Move what it shows</source>
@@ -2029,7 +2029,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Return, Escape</source>
-        <translation>Retur, Escape</translation>
+        <translation>Retur, Esc</translation>
     </message>
     <message>
         <source>Apply, restore a field</source>
@@ -2037,7 +2037,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Tab, Shift+Tab</source>
-        <translation>Tabb, Shift+Tabb</translation>
+        <translation>Tabb, Skift+Tabb</translation>
     </message>
     <message>
         <source>Next, previous field</source>
