@@ -1922,7 +1922,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Shift+drag</source>
-        <translation>Umschalt+Ziehen</translation>
+        <translation>Umsch+Ziehen</translation>
     </message>
     <message>
         <source>Set its rope&apos;s length</source>
@@ -1954,7 +1954,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Alt+Shift+arrows</source>
-        <translation>Alt+Umschalt+Pfeile</translation>
+        <translation>Alt+Umsch+Pfeile</translation>
     </message>
     <message>
         <source>Change its velocity</source>
@@ -1978,7 +1978,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Copy, paste cells</source>
-        <translation>Zellen kopieren, einfügen</translation>
+        <translation>Kopieren, einfügen</translation>
     </message>
     <message>
         <source>Ctrl+D</source>
@@ -2010,7 +2010,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Shift+drag, Alt+arrows</source>
-        <translation>Umschalt+Ziehen, Alt+Pfeile</translation>
+        <translation>Umsch+Ziehen, Alt+Pfeile</translation>
     </message>
     <message>
         <source>Move what it shows</source>
@@ -2034,11 +2034,11 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>Apply, restore a field</source>
-        <translation>Eingabe annehmen, verwerfen</translation>
+        <translation>Übernehmen, verwerfen</translation>
     </message>
     <message>
         <source>Tab, Shift+Tab</source>
-        <translation>Tab, Umschalt+Tab</translation>
+        <translation>Tab, Umsch+Tab</translation>
     </message>
     <message>
         <source>Next, previous field</source>

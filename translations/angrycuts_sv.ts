@@ -590,7 +590,7 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Choose one of the built-in scenes by its picture</source>
-        <translation>Välj en av de inbyggda scenerna efter bild</translation>
+        <translation>Välj en av de inbyggda scenerna efter dess bild</translation>
     </message>
     <message>
         <source>&amp;Save</source>
