@@ -2134,7 +2134,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Watch three ropes of different length start together and fall out of step: the longer the rope, the slower the swing.</source>
-        <translation>Observe tres cuerdas de distinta longitud que salen juntas y se desacompasan: cuanto más larga es la cuerda, más lenta es la oscilación.</translation>
+        <translation>Observe tres cuerdas de distinta longitud que salen juntas y se desfasan: cuanto más larga es la cuerda, más lenta es la oscilación.</translation>
     </message>
     <message>
         <source>Make the first rope 0.3 m long: the third, four times as long, swings half as fast.</source>
@@ -2262,7 +2262,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Set the start angles to 5°, 10°, 15° and 20°: now they keep step for a long time.</source>
-        <translation>Ponga los ángulos iniciales a 5°, 10°, 15° y 20°: ahora van acompasados mucho tiempo.</translation>
+        <translation>Ponga los ángulos iniciales a 5°, 10°, 15° y 20°: ahora siguen en fase mucho tiempo.</translation>
     </message>
     <message>
         <source>Set one start angle to 179.9°: how long does it stay near the top?</source>

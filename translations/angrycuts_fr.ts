@@ -2134,7 +2134,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Watch three ropes of different length start together and fall out of step: the longer the rope, the slower the swing.</source>
-        <translation>Observez trois cordes de longueurs différentes partir ensemble puis se décaler&#xa0;: plus la corde est longue, plus l’oscillation est lente.</translation>
+        <translation>Observez trois cordes de longueurs différentes partir ensemble puis se déphaser&#xa0;: plus la corde est longue, plus l’oscillation est lente.</translation>
     </message>
     <message>
         <source>Make the first rope 0.3 m long: the third, four times as long, swings half as fast.</source>
@@ -2262,7 +2262,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Set the start angles to 5°, 10°, 15° and 20°: now they keep step for a long time.</source>
-        <translation>Mettez les angles initiaux à 5°, 10°, 15° et 20°&#xa0;: ils restent maintenant longtemps au pas.</translation>
+        <translation>Mettez les angles initiaux à 5°, 10°, 15° et 20°&#xa0;: ils restent maintenant longtemps en phase.</translation>
     </message>
     <message>
         <source>Set one start angle to 179.9°: how long does it stay near the top?</source>
