@@ -341,15 +341,15 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Set its angle or place</source>
-        <translation>Fijar su ángulo o posición</translation>
+        <translation>Ángulo o posición</translation>
     </message>
     <message>
         <source>Shift+drag</source>
-        <translation>Mayúsculas+arrastrar</translation>
+        <translation>Mayús+arrastrar</translation>
     </message>
     <message>
         <source>Set its rope&apos;s length</source>
-        <translation>Fijar la longitud de su cuerda</translation>
+        <translation>Longitud de la cuerda</translation>
     </message>
     <message>
         <source>Drag its arrow</source>
@@ -357,11 +357,11 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Set its velocity</source>
-        <translation>Fijar su velocidad</translation>
+        <translation>Velocidad</translation>
     </message>
     <message>
         <source>Ctrl+drag</source>
-        <translation>Control+arrastrar</translation>
+        <translation>Ctrl+arrastrar</translation>
     </message>
     <message>
         <source>Snap</source>
@@ -377,7 +377,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Alt+Shift+arrows</source>
-        <translation>Alt+Mayúsculas+flechas</translation>
+        <translation>Alt+Mayús+flechas</translation>
     </message>
     <message>
         <source>Change its velocity</source>
@@ -389,7 +389,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Ins, Del</source>
-        <translation>Insertar, Suprimir</translation>
+        <translation>Insert, Supr</translation>
     </message>
     <message>
         <source>Add, remove weights</source>
@@ -397,7 +397,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Ctrl+C, Ctrl+V</source>
-        <translation>Control+C, Control+V</translation>
+        <translation>Ctrl+C, Ctrl+V</translation>
     </message>
     <message>
         <source>Copy, paste cells</source>
@@ -405,7 +405,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Ctrl+D</source>
-        <translation>Control+D</translation>
+        <translation>Ctrl+D</translation>
     </message>
     <message>
         <source>Fill down</source>
@@ -433,7 +433,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Shift+drag, Alt+arrows</source>
-        <translation>Mayúsculas+arrastrar, Alt+flechas</translation>
+        <translation>Mayús+arrastrar, Alt+flechas</translation>
     </message>
     <message>
         <source>Move what it shows</source>
@@ -453,19 +453,19 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Return, Escape</source>
-        <translation>Intro, Escape</translation>
+        <translation>Intro, Esc</translation>
     </message>
     <message>
         <source>Apply, restore a field</source>
-        <translation>Aplicar, restaurar un campo</translation>
+        <translation>Aplicar, restaurar</translation>
     </message>
     <message>
         <source>Tab, Shift+Tab</source>
-        <translation>Tabulador, Mayúsculas+Tabulador</translation>
+        <translation>Tab, Mayús+Tab</translation>
     </message>
     <message>
         <source>Next, previous field</source>
-        <translation>Campo siguiente, anterior</translation>
+        <translation>Campo siguiente, ant.</translation>
     </message>
     <message>
         <source>Alt+letter</source>
@@ -703,7 +703,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>All weights</source>
-        <translation>Todas las pesas</translation>
+        <translation>Todas</translation>
     </message>
     <message>
         <source>Weight </source>
@@ -735,7 +735,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>All runs</source>
-        <translation>Todas las simulaciones</translation>
+        <translation>Todas</translation>
     </message>
 </context>
 <context>
@@ -794,7 +794,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Export &amp;picture of the scene…</source>
-        <translation>Exportar i&amp;magen de la escena…</translation>
+        <translation>Exportar i&amp;magen…</translation>
     </message>
     <message>
         <source>Save what is shown as a PNG, SVG or PDF picture</source>
@@ -962,7 +962,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Next &amp;turning point</source>
-        <translation>Punto de &amp;retorno siguiente</translation>
+        <translation>&amp;Retorno siguiente</translation>
     </message>
     <message>
         <source>Go on until a weight turns round on its rope</source>
@@ -970,7 +970,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Previous t&amp;urning point</source>
-        <translation>&amp;Punto de retorno anterior</translation>
+        <translation>Retorno a&amp;nterior</translation>
     </message>
     <message>
         <source>Go back to the turning point before</source>
@@ -1098,7 +1098,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>S&amp;tart or stop the stopwatch</source>
-        <translation>&amp;Iniciar o parar el cronómetro</translation>
+        <translation>&amp;Iniciar/parar el cronómetro</translation>
     </message>
     <message>
         <source>Start the stopwatch at the moment shown, or stop it</source>
@@ -1290,7 +1290,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Copy chart &amp;data</source>
-        <translation>Copiar &amp;datos del gráfico</translation>
+        <translation>Copiar &amp;datos</translation>
     </message>
     <message>
         <source>Copy the chart&apos;s curves as a table for a spreadsheet</source>
@@ -1333,7 +1333,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Apart (m)</source>
-        <translation>Distancia (m)</translation>
+        <translation>Dist. (m)</translation>
     </message>
     <message>
         <source>Drift (J)</source>
@@ -1577,7 +1577,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Copy chart data</source>
-        <translation>Copiar datos del gráfico</translation>
+        <translation>Copiar datos</translation>
     </message>
     <message>
         <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
@@ -1725,7 +1725,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Energy lost (J)</source>
-        <translation>Energía perdida (J)</translation>
+        <translation>Pérdida (J)</translation>
     </message>
 </context>
 <context>
@@ -1772,19 +1772,19 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Impact on the floor</source>
-        <translation>Choque con el suelo</translation>
+        <translation>Choque, suelo</translation>
     </message>
     <message>
         <source>Impact on the ceiling</source>
-        <translation>Choque con el techo</translation>
+        <translation>Choque, techo</translation>
     </message>
     <message>
         <source>Impact on the left wall</source>
-        <translation>Choque con la pared izquierda</translation>
+        <translation>Choque, pared izquierda</translation>
     </message>
     <message>
         <source>Impact on the right wall</source>
-        <translation>Choque con la pared derecha</translation>
+        <translation>Choque, pared derecha</translation>
     </message>
     <message>
         <source>Impact of weights</source>
@@ -1823,7 +1823,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>All weights</source>
-        <translation>Todas las pesas</translation>
+        <translation>Todas</translation>
     </message>
     <message>
         <source>Weight </source>
@@ -1839,7 +1839,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Copy the chosen events as CSV, or all that are listed (Ctrl+C)</source>
-        <translation>Copiar como CSV los eventos elegidos, o todos los de la lista (Control+C)</translation>
+        <translation>Copiar como CSV los eventos elegidos, o todos los de la lista (Ctrl+C)</translation>
     </message>
     <message>
         <source>Events copied as CSV: %1</source>
@@ -3734,7 +3734,7 @@ en m</translation>
     </message>
     <message>
         <source>Stop (Esc)</source>
-        <translation>Detener (Escape)</translation>
+        <translation>Detener (Esc)</translation>
     </message>
     <message>
         <source>Computing: %1 s</source>
@@ -3851,7 +3851,7 @@ en m</translation>
     </message>
     <message>
         <source>Drag coefficient</source>
-        <translation>Coeficiente de arrastre</translation>
+        <translation>Coef. arrastre</translation>
     </message>
     <message>
         <source>Color</source>

@@ -317,7 +317,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Zoom, move the view</source>
-        <translation>Zoomer, déplacer la vue</translation>
+        <translation>Zoomer, déplacer</translation>
     </message>
     <message>
         <source>Double click</source>
@@ -341,7 +341,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Set its angle or place</source>
-        <translation>Régler son angle ou sa place</translation>
+        <translation>Angle ou place</translation>
     </message>
     <message>
         <source>Shift+drag</source>
@@ -349,7 +349,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Set its rope&apos;s length</source>
-        <translation>Régler la longueur de sa corde</translation>
+        <translation>Longueur de la corde</translation>
     </message>
     <message>
         <source>Drag its arrow</source>
@@ -357,7 +357,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Set its velocity</source>
-        <translation>Régler sa vitesse</translation>
+        <translation>Vitesse</translation>
     </message>
     <message>
         <source>Ctrl+drag</source>
@@ -393,7 +393,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Add, remove weights</source>
-        <translation>Ajouter, retirer des billes</translation>
+        <translation>Ajouter, retirer</translation>
     </message>
     <message>
         <source>Ctrl+C, Ctrl+V</source>
@@ -401,7 +401,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Copy, paste cells</source>
-        <translation>Copier, coller des cellules</translation>
+        <translation>Copier, coller</translation>
     </message>
     <message>
         <source>Ctrl+D</source>
@@ -409,7 +409,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Fill down</source>
-        <translation>Recopier vers le bas</translation>
+        <translation>Remplir vers le bas</translation>
     </message>
     <message>
         <source>In a chart</source>
@@ -457,7 +457,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Apply, restore a field</source>
-        <translation>Valider, rétablir un champ</translation>
+        <translation>Valider, rétablir</translation>
     </message>
     <message>
         <source>Tab, Shift+Tab</source>
@@ -465,7 +465,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Next, previous field</source>
-        <translation>Champ suivant, précédent</translation>
+        <translation>Champ suivant, préc.</translation>
     </message>
     <message>
         <source>Alt+letter</source>
@@ -703,7 +703,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>All weights</source>
-        <translation>Toutes les billes</translation>
+        <translation>Toutes</translation>
     </message>
     <message>
         <source>Weight </source>
@@ -735,7 +735,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>All runs</source>
-        <translation>Toutes les simulations</translation>
+        <translation>Toutes</translation>
     </message>
 </context>
 <context>
@@ -794,7 +794,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Export &amp;picture of the scene…</source>
-        <translation>Exporter une &amp;image de la scène…</translation>
+        <translation>Exporter une &amp;image…</translation>
     </message>
     <message>
         <source>Save what is shown as a PNG, SVG or PDF picture</source>
@@ -1098,7 +1098,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>S&amp;tart or stop the stopwatch</source>
-        <translation>&amp;Démarrer ou arrêter le chronomètre</translation>
+        <translation>&amp;Démarrer/arrêter le chrono</translation>
     </message>
     <message>
         <source>Start the stopwatch at the moment shown, or stop it</source>
@@ -1106,7 +1106,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Stopwatch to &amp;zero</source>
-        <translation>Chronomètre à &amp;zéro</translation>
+        <translation>Chrono à &amp;zéro</translation>
     </message>
     <message>
         <source>Set the stopwatch back to zero</source>
@@ -1823,7 +1823,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>All weights</source>
-        <translation>Toutes les billes</translation>
+        <translation>Toutes</translation>
     </message>
     <message>
         <source>Weight </source>
@@ -3851,7 +3851,7 @@ en m</translation>
     </message>
     <message>
         <source>Drag coefficient</source>
-        <translation>Coefficient de traînée</translation>
+        <translation>Coeff. traînée</translation>
     </message>
     <message>
         <source>Color</source>
@@ -4125,7 +4125,7 @@ en m</translation>
     </message>
     <message>
         <source>Fill down</source>
-        <translation>Recopier en bas</translation>
+        <translation>Remplir</translation>
     </message>
     <message>
         <source>Give all selected rows what the first of them holds</source>
@@ -4173,7 +4173,7 @@ en m</translation>
     </message>
     <message>
         <source>filling down</source>
-        <translation>recopie vers le bas</translation>
+        <translation>remplissage vers le bas</translation>
     </message>
 </context>
 <context>
