@@ -3412,7 +3412,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>%1, each run over %2 s. Drift as a share of the energy the scene has to move with; empty: the weights do not fit the room.</source>
-        <translation>%1, cada simulación durante %2 s. Deriva como parte de la energía que la escena tiene para moverse; vacío: las pesas no caben en la sala.</translation>
+        <translation>%1, cada simulación durante %2 s. Deriva como parte de la energía disponible; vacío: las pesas no caben en la sala.</translation>
     </message>
     <message>
         <source>Step</source>

@@ -3412,7 +3412,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>%1, each run over %2 s. Drift as a share of the energy the scene has to move with; empty: the weights do not fit the room.</source>
-        <translation>%1, chaque simulation sur %2 s. Dérive en part de l’énergie que la scène a pour se mouvoir&#xa0;; vide&#xa0;: les billes ne tiennent pas dans la pièce.</translation>
+        <translation>%1, chaque simulation sur %2 s. Dérive en part de l’énergie disponible&#xa0;; vide&#xa0;: les billes ne tiennent pas dans la pièce.</translation>
     </message>
     <message>
         <source>Step</source>
