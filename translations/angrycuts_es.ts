@@ -1772,19 +1772,19 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Impact on the floor</source>
-        <translation>Choque, suelo</translation>
+        <translation>Choque con el suelo</translation>
     </message>
     <message>
         <source>Impact on the ceiling</source>
-        <translation>Choque, techo</translation>
+        <translation>Choque con el techo</translation>
     </message>
     <message>
         <source>Impact on the left wall</source>
-        <translation>Choque, pared izquierda</translation>
+        <translation>Choque con pared izquierda</translation>
     </message>
     <message>
         <source>Impact on the right wall</source>
-        <translation>Choque, pared derecha</translation>
+        <translation>Choque con pared derecha</translation>
     </message>
     <message>
         <source>Impact of weights</source>
