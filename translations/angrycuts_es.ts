@@ -862,7 +862,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Step one &amp;frame</source>
-        <translation>Avanzar un &amp;fotograma</translation>
+        <translation>Un &amp;fotograma adelante</translation>
     </message>
     <message>
         <source>Go on by 1/60 s, times the speed</source>
@@ -870,7 +870,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Step a f&amp;rame back</source>
-        <translation>Retroceder un foto&amp;grama</translation>
+        <translation>Un foto&amp;grama atrás</translation>
     </message>
     <message>
         <source>Go back by 1/60 s, times the speed</source>
@@ -1098,7 +1098,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>S&amp;tart or stop the stopwatch</source>
-        <translation>&amp;Iniciar/parar el cronómetro</translation>
+        <translation>&amp;Iniciar/parar cronómetro</translation>
     </message>
     <message>
         <source>Start the stopwatch at the moment shown, or stop it</source>
@@ -2057,7 +2057,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <name>ui::KeysPage</name>
     <message>
         <source>%1, previous</source>
-        <translation>%1, anterior</translation>
+        <translation>%1, ant.</translation>
     </message>
 </context>
 <context>
