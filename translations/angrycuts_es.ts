@@ -2,21 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES">
 <context>
-    <name>Texts</name>
-    <message>
-        <source>must be one of %1, got &quot;%2&quot;</source>
-        <translation>se esperaba uno de %1, no «%2»</translation>
-    </message>
-    <message>
-        <source>%1 takes a tolerance, not a step</source>
-        <translation>%1 usa una tolerancia, no un paso</translation>
-    </message>
-    <message>
-        <source>%1 takes a step, not a tolerance</source>
-        <translation>%1 usa un paso, no una tolerancia</translation>
-    </message>
-</context>
-<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -248,6 +233,18 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>unknown command &quot;%1&quot;</source>
         <translation>comando desconocido «%1»</translation>
     </message>
+    <message>
+        <source>must be one of %1, got &quot;%2&quot;</source>
+        <translation>se esperaba uno de %1, no «%2»</translation>
+    </message>
+    <message>
+        <source>%1 takes a tolerance, not a step</source>
+        <translation>%1 usa una tolerancia, no un paso</translation>
+    </message>
+    <message>
+        <source>%1 takes a step, not a tolerance</source>
+        <translation>%1 usa un paso, no una tolerancia</translation>
+    </message>
 </context>
 <context>
     <name>app::ProgressLine</name>
@@ -303,177 +300,6 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>the window cannot be opened: %1</source>
         <translation>no se puede abrir la ventana: %1</translation>
-    </message>
-</context>
-<context>
-    <name>ui</name>
-    <message>
-        <source>In the scene</source>
-        <translation>En la escena</translation>
-    </message>
-    <message>
-        <source>Wheel, drag</source>
-        <translation>Rueda, arrastrar</translation>
-    </message>
-    <message>
-        <source>Zoom, move the view</source>
-        <translation>Zoom, mover la vista</translation>
-    </message>
-    <message>
-        <source>Double click</source>
-        <translation>Doble clic</translation>
-    </message>
-    <message>
-        <source>Fit the room</source>
-        <translation>Encuadrar la sala</translation>
-    </message>
-    <message>
-        <source>Click</source>
-        <translation>Clic</translation>
-    </message>
-    <message>
-        <source>Select a weight</source>
-        <translation>Seleccionar una pesa</translation>
-    </message>
-    <message>
-        <source>Drag a weight</source>
-        <translation>Arrastrar una pesa</translation>
-    </message>
-    <message>
-        <source>Set its angle or place</source>
-        <translation>Ángulo o posición</translation>
-    </message>
-    <message>
-        <source>Shift+drag</source>
-        <translation>Mayús+arrastrar</translation>
-    </message>
-    <message>
-        <source>Set its rope&apos;s length</source>
-        <translation>Longitud de la cuerda</translation>
-    </message>
-    <message>
-        <source>Drag its arrow</source>
-        <translation>Arrastrar su flecha</translation>
-    </message>
-    <message>
-        <source>Set its velocity</source>
-        <translation>Velocidad</translation>
-    </message>
-    <message>
-        <source>Ctrl+drag</source>
-        <translation>Ctrl+arrastrar</translation>
-    </message>
-    <message>
-        <source>Snap</source>
-        <translation>Valores redondos</translation>
-    </message>
-    <message>
-        <source>Alt+arrows</source>
-        <translation>Alt+flechas</translation>
-    </message>
-    <message>
-        <source>Move the weight</source>
-        <translation>Mover la pesa</translation>
-    </message>
-    <message>
-        <source>Alt+Shift+arrows</source>
-        <translation>Alt+Mayús+flechas</translation>
-    </message>
-    <message>
-        <source>Change its velocity</source>
-        <translation>Cambiar su velocidad</translation>
-    </message>
-    <message>
-        <source>In the table</source>
-        <translation>En la tabla</translation>
-    </message>
-    <message>
-        <source>Ins, Del</source>
-        <translation>Insert, Supr</translation>
-    </message>
-    <message>
-        <source>Add, remove weights</source>
-        <translation>Añadir, quitar pesas</translation>
-    </message>
-    <message>
-        <source>Ctrl+C, Ctrl+V</source>
-        <translation>Ctrl+C, Ctrl+V</translation>
-    </message>
-    <message>
-        <source>Copy, paste cells</source>
-        <translation>Copiar, pegar celdas</translation>
-    </message>
-    <message>
-        <source>Ctrl+D</source>
-        <translation>Ctrl+D</translation>
-    </message>
-    <message>
-        <source>Fill down</source>
-        <translation>Rellenar hacia abajo</translation>
-    </message>
-    <message>
-        <source>In a chart</source>
-        <translation>En un gráfico</translation>
-    </message>
-    <message>
-        <source>Wheel, + −</source>
-        <translation>Rueda, + −</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>Zoom</translation>
-    </message>
-    <message>
-        <source>Drag</source>
-        <translation>Arrastrar</translation>
-    </message>
-    <message>
-        <source>Zoom to a box</source>
-        <translation>Ampliar un recuadro</translation>
-    </message>
-    <message>
-        <source>Shift+drag, Alt+arrows</source>
-        <translation>Mayús+arrastrar, Alt+flechas</translation>
-    </message>
-    <message>
-        <source>Move what it shows</source>
-        <translation>Mover el contenido</translation>
-    </message>
-    <message>
-        <source>Double click, 0</source>
-        <translation>Doble clic, 0</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>Mostrar todo</translation>
-    </message>
-    <message>
-        <source>Everywhere</source>
-        <translation>En todas partes</translation>
-    </message>
-    <message>
-        <source>Return, Escape</source>
-        <translation>Intro, Esc</translation>
-    </message>
-    <message>
-        <source>Apply, restore a field</source>
-        <translation>Aplicar, restaurar</translation>
-    </message>
-    <message>
-        <source>Tab, Shift+Tab</source>
-        <translation>Tab, Mayús+Tab</translation>
-    </message>
-    <message>
-        <source>Next, previous field</source>
-        <translation>Campo siguiente, ant.</translation>
-    </message>
-    <message>
-        <source>Alt+letter</source>
-        <translation>Alt+letra</translation>
-    </message>
-    <message>
-        <source>Open that menu</source>
-        <translation>Abrir ese menú</translation>
     </message>
 </context>
 <context>
@@ -2058,6 +1884,174 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>%1, previous</source>
         <translation>%1, ant.</translation>
+    </message>
+    <message>
+        <source>In the scene</source>
+        <translation>En la escena</translation>
+    </message>
+    <message>
+        <source>Wheel, drag</source>
+        <translation>Rueda, arrastrar</translation>
+    </message>
+    <message>
+        <source>Zoom, move the view</source>
+        <translation>Zoom, mover la vista</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doble clic</translation>
+    </message>
+    <message>
+        <source>Fit the room</source>
+        <translation>Encuadrar la sala</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <source>Select a weight</source>
+        <translation>Seleccionar una pesa</translation>
+    </message>
+    <message>
+        <source>Drag a weight</source>
+        <translation>Arrastrar una pesa</translation>
+    </message>
+    <message>
+        <source>Set its angle or place</source>
+        <translation>Ángulo o posición</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Mayús+arrastrar</translation>
+    </message>
+    <message>
+        <source>Set its rope&apos;s length</source>
+        <translation>Longitud de la cuerda</translation>
+    </message>
+    <message>
+        <source>Drag its arrow</source>
+        <translation>Arrastrar su flecha</translation>
+    </message>
+    <message>
+        <source>Set its velocity</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag</source>
+        <translation>Ctrl+arrastrar</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Valores redondos</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+flechas</translation>
+    </message>
+    <message>
+        <source>Move the weight</source>
+        <translation>Mover la pesa</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+arrows</source>
+        <translation>Alt+Mayús+flechas</translation>
+    </message>
+    <message>
+        <source>Change its velocity</source>
+        <translation>Cambiar su velocidad</translation>
+    </message>
+    <message>
+        <source>In the table</source>
+        <translation>En la tabla</translation>
+    </message>
+    <message>
+        <source>Ins, Del</source>
+        <translation>Insert, Supr</translation>
+    </message>
+    <message>
+        <source>Add, remove weights</source>
+        <translation>Añadir, quitar pesas</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V</source>
+        <translation>Ctrl+C, Ctrl+V</translation>
+    </message>
+    <message>
+        <source>Copy, paste cells</source>
+        <translation>Copiar, pegar celdas</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation>Rellenar hacia abajo</translation>
+    </message>
+    <message>
+        <source>In a chart</source>
+        <translation>En un gráfico</translation>
+    </message>
+    <message>
+        <source>Wheel, + −</source>
+        <translation>Rueda, + −</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Arrastrar</translation>
+    </message>
+    <message>
+        <source>Zoom to a box</source>
+        <translation>Ampliar un recuadro</translation>
+    </message>
+    <message>
+        <source>Shift+drag, Alt+arrows</source>
+        <translation>Mayús+arrastrar, Alt+flechas</translation>
+    </message>
+    <message>
+        <source>Move what it shows</source>
+        <translation>Mover el contenido</translation>
+    </message>
+    <message>
+        <source>Double click, 0</source>
+        <translation>Doble clic, 0</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>En todas partes</translation>
+    </message>
+    <message>
+        <source>Return, Escape</source>
+        <translation>Intro, Esc</translation>
+    </message>
+    <message>
+        <source>Apply, restore a field</source>
+        <translation>Aplicar, restaurar</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Mayús+Tab</translation>
+    </message>
+    <message>
+        <source>Next, previous field</source>
+        <translation>Campo siguiente, ant.</translation>
+    </message>
+    <message>
+        <source>Alt+letter</source>
+        <translation>Alt+letra</translation>
+    </message>
+    <message>
+        <source>Open that menu</source>
+        <translation>Abrir ese menú</translation>
     </message>
 </context>
 <context>

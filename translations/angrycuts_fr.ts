@@ -2,21 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR">
 <context>
-    <name>Texts</name>
-    <message>
-        <source>must be one of %1, got &quot;%2&quot;</source>
-        <translation>attendu&#xa0;: un nom parmi %1&#xa0;; lu&#xa0;: «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>%1 takes a tolerance, not a step</source>
-        <translation>%1 se règle par une tolérance, non par un pas</translation>
-    </message>
-    <message>
-        <source>%1 takes a step, not a tolerance</source>
-        <translation>%1 se règle par un pas, non par une tolérance</translation>
-    </message>
-</context>
-<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -248,6 +233,18 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>unknown command &quot;%1&quot;</source>
         <translation>commande inconnue «&#xa0;%1&#xa0;»</translation>
     </message>
+    <message>
+        <source>must be one of %1, got &quot;%2&quot;</source>
+        <translation>attendu&#xa0;: un nom parmi %1&#xa0;; lu&#xa0;: «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 takes a tolerance, not a step</source>
+        <translation>%1 se règle par une tolérance, non par un pas</translation>
+    </message>
+    <message>
+        <source>%1 takes a step, not a tolerance</source>
+        <translation>%1 se règle par un pas, non par une tolérance</translation>
+    </message>
 </context>
 <context>
     <name>app::ProgressLine</name>
@@ -303,177 +300,6 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>the window cannot be opened: %1</source>
         <translation>la fenêtre ne peut pas s’ouvrir&#xa0;: %1</translation>
-    </message>
-</context>
-<context>
-    <name>ui</name>
-    <message>
-        <source>In the scene</source>
-        <translation>Dans la scène</translation>
-    </message>
-    <message>
-        <source>Wheel, drag</source>
-        <translation>Molette, glisser</translation>
-    </message>
-    <message>
-        <source>Zoom, move the view</source>
-        <translation>Zoomer, déplacer</translation>
-    </message>
-    <message>
-        <source>Double click</source>
-        <translation>Double clic</translation>
-    </message>
-    <message>
-        <source>Fit the room</source>
-        <translation>Cadrer la pièce</translation>
-    </message>
-    <message>
-        <source>Click</source>
-        <translation>Clic</translation>
-    </message>
-    <message>
-        <source>Select a weight</source>
-        <translation>Sélectionner une bille</translation>
-    </message>
-    <message>
-        <source>Drag a weight</source>
-        <translation>Glisser une bille</translation>
-    </message>
-    <message>
-        <source>Set its angle or place</source>
-        <translation>Angle ou place</translation>
-    </message>
-    <message>
-        <source>Shift+drag</source>
-        <translation>Maj+glisser</translation>
-    </message>
-    <message>
-        <source>Set its rope&apos;s length</source>
-        <translation>Longueur de la corde</translation>
-    </message>
-    <message>
-        <source>Drag its arrow</source>
-        <translation>Glisser sa flèche</translation>
-    </message>
-    <message>
-        <source>Set its velocity</source>
-        <translation>Vitesse</translation>
-    </message>
-    <message>
-        <source>Ctrl+drag</source>
-        <translation>Ctrl+glisser</translation>
-    </message>
-    <message>
-        <source>Snap</source>
-        <translation>Valeurs rondes</translation>
-    </message>
-    <message>
-        <source>Alt+arrows</source>
-        <translation>Alt+flèches</translation>
-    </message>
-    <message>
-        <source>Move the weight</source>
-        <translation>Déplacer la bille</translation>
-    </message>
-    <message>
-        <source>Alt+Shift+arrows</source>
-        <translation>Alt+Maj+flèches</translation>
-    </message>
-    <message>
-        <source>Change its velocity</source>
-        <translation>Changer sa vitesse</translation>
-    </message>
-    <message>
-        <source>In the table</source>
-        <translation>Dans le tableau</translation>
-    </message>
-    <message>
-        <source>Ins, Del</source>
-        <translation>Inser, Suppr</translation>
-    </message>
-    <message>
-        <source>Add, remove weights</source>
-        <translation>Ajouter, retirer</translation>
-    </message>
-    <message>
-        <source>Ctrl+C, Ctrl+V</source>
-        <translation>Ctrl+C, Ctrl+V</translation>
-    </message>
-    <message>
-        <source>Copy, paste cells</source>
-        <translation>Copier, coller</translation>
-    </message>
-    <message>
-        <source>Ctrl+D</source>
-        <translation>Ctrl+D</translation>
-    </message>
-    <message>
-        <source>Fill down</source>
-        <translation>Remplir vers le bas</translation>
-    </message>
-    <message>
-        <source>In a chart</source>
-        <translation>Dans un graphique</translation>
-    </message>
-    <message>
-        <source>Wheel, + −</source>
-        <translation>Molette, + −</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>Zoomer</translation>
-    </message>
-    <message>
-        <source>Drag</source>
-        <translation>Glisser</translation>
-    </message>
-    <message>
-        <source>Zoom to a box</source>
-        <translation>Zoomer sur un cadre</translation>
-    </message>
-    <message>
-        <source>Shift+drag, Alt+arrows</source>
-        <translation>Maj+glisser, Alt+flèches</translation>
-    </message>
-    <message>
-        <source>Move what it shows</source>
-        <translation>Déplacer le contenu</translation>
-    </message>
-    <message>
-        <source>Double click, 0</source>
-        <translation>Double clic, 0</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>Tout montrer</translation>
-    </message>
-    <message>
-        <source>Everywhere</source>
-        <translation>Partout</translation>
-    </message>
-    <message>
-        <source>Return, Escape</source>
-        <translation>Entrée, Échap</translation>
-    </message>
-    <message>
-        <source>Apply, restore a field</source>
-        <translation>Valider, rétablir</translation>
-    </message>
-    <message>
-        <source>Tab, Shift+Tab</source>
-        <translation>Tab, Maj+Tab</translation>
-    </message>
-    <message>
-        <source>Next, previous field</source>
-        <translation>Champ suivant, préc.</translation>
-    </message>
-    <message>
-        <source>Alt+letter</source>
-        <translation>Alt+lettre</translation>
-    </message>
-    <message>
-        <source>Open that menu</source>
-        <translation>Ouvrir ce menu</translation>
     </message>
 </context>
 <context>
@@ -2058,6 +1884,174 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>%1, previous</source>
         <translation>%1, préc.</translation>
+    </message>
+    <message>
+        <source>In the scene</source>
+        <translation>Dans la scène</translation>
+    </message>
+    <message>
+        <source>Wheel, drag</source>
+        <translation>Molette, glisser</translation>
+    </message>
+    <message>
+        <source>Zoom, move the view</source>
+        <translation>Zoomer, déplacer</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Double clic</translation>
+    </message>
+    <message>
+        <source>Fit the room</source>
+        <translation>Cadrer la pièce</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <source>Select a weight</source>
+        <translation>Sélectionner une bille</translation>
+    </message>
+    <message>
+        <source>Drag a weight</source>
+        <translation>Glisser une bille</translation>
+    </message>
+    <message>
+        <source>Set its angle or place</source>
+        <translation>Angle ou place</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Maj+glisser</translation>
+    </message>
+    <message>
+        <source>Set its rope&apos;s length</source>
+        <translation>Longueur de la corde</translation>
+    </message>
+    <message>
+        <source>Drag its arrow</source>
+        <translation>Glisser sa flèche</translation>
+    </message>
+    <message>
+        <source>Set its velocity</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag</source>
+        <translation>Ctrl+glisser</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Valeurs rondes</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+flèches</translation>
+    </message>
+    <message>
+        <source>Move the weight</source>
+        <translation>Déplacer la bille</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+arrows</source>
+        <translation>Alt+Maj+flèches</translation>
+    </message>
+    <message>
+        <source>Change its velocity</source>
+        <translation>Changer sa vitesse</translation>
+    </message>
+    <message>
+        <source>In the table</source>
+        <translation>Dans le tableau</translation>
+    </message>
+    <message>
+        <source>Ins, Del</source>
+        <translation>Inser, Suppr</translation>
+    </message>
+    <message>
+        <source>Add, remove weights</source>
+        <translation>Ajouter, retirer</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V</source>
+        <translation>Ctrl+C, Ctrl+V</translation>
+    </message>
+    <message>
+        <source>Copy, paste cells</source>
+        <translation>Copier, coller</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation>Remplir vers le bas</translation>
+    </message>
+    <message>
+        <source>In a chart</source>
+        <translation>Dans un graphique</translation>
+    </message>
+    <message>
+        <source>Wheel, + −</source>
+        <translation>Molette, + −</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomer</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Glisser</translation>
+    </message>
+    <message>
+        <source>Zoom to a box</source>
+        <translation>Zoomer sur un cadre</translation>
+    </message>
+    <message>
+        <source>Shift+drag, Alt+arrows</source>
+        <translation>Maj+glisser, Alt+flèches</translation>
+    </message>
+    <message>
+        <source>Move what it shows</source>
+        <translation>Déplacer le contenu</translation>
+    </message>
+    <message>
+        <source>Double click, 0</source>
+        <translation>Double clic, 0</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <source>Return, Escape</source>
+        <translation>Entrée, Échap</translation>
+    </message>
+    <message>
+        <source>Apply, restore a field</source>
+        <translation>Valider, rétablir</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Maj+Tab</translation>
+    </message>
+    <message>
+        <source>Next, previous field</source>
+        <translation>Champ suivant, préc.</translation>
+    </message>
+    <message>
+        <source>Alt+letter</source>
+        <translation>Alt+lettre</translation>
+    </message>
+    <message>
+        <source>Open that menu</source>
+        <translation>Ouvrir ce menu</translation>
     </message>
 </context>
 <context>
