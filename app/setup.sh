@@ -17,10 +17,10 @@ build_packages=(
 # shellcheck disable=SC2034
 package_packages=(dpkg-dev file)
 
-# To test besides: a virtual screen, what checks the files a desktop reads, and shells.
+# To test besides: a virtual screen, a message bus, what checks the files a desktop reads, and shells.
 # shellcheck disable=SC2034
 test_packages=(
-  xvfb xauth desktop-file-utils appstream shared-mime-info groff-base zsh fish
+  xvfb xauth dbus-daemon desktop-file-utils appstream shared-mime-info groff-base zsh fish
   "${package_packages[@]}"
 )
 

@@ -6,12 +6,11 @@
 
 #include <QtTest>
 
-namespace {
+#include "tests/support/file_content.h"
 
-QByteArray contentOf(const QString& file) {
-  QFile input(file);
-  return input.open(QIODevice::ReadOnly) ? input.readAll() : QByteArray("cannot be read");
-}
+using tests::contentOf;
+
+namespace {
 
 /// While it lives no file can grow beyond a size, as on a disk that is full.
 class SmallDisk {

@@ -8,6 +8,9 @@
 #include <QtTest>
 
 #include "core/trade/reference.h"
+#include "tests/support/file_content.h"
+
+using tests::contentOf;
 
 namespace {
 
@@ -86,11 +89,6 @@ core::Scene crowd(int count) {
     scene.weights.push_back(weight);
   }
   return scene;
-}
-
-QByteArray contentOf(const QString& file) {
-  QFile input(file);
-  return input.open(QIODevice::ReadOnly) ? input.readAll() : QByteArray("cannot be read");
 }
 
 }  // namespace
