@@ -1,12 +1,16 @@
 #include "app/window_command.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "core/system/screen.h"
+#include "ui/control/commands.h"
 #include "ui/control/draft_keeper.h"
 #include "ui/control/first_scene.h"
 #include "ui/control/translations.h"
+#include "ui/help/tour.h"
 #include "ui/main_window.h"
 
 namespace app {
@@ -26,6 +30,9 @@ ExitStatus runWindow(const WindowCall& call) {
   ui::MainWindow window(*first.scene, first.file);
   window.keepDraftsIn(ui::draftFolder());
   window.show();
+  // Whoever names a scene knows what to do with it.
+  if (call.scene.isEmpty() && ui::isTourDue())
+    QTimer::singleShot(0, window.commands().action(ui::Command::kTour), &QAction::trigger);
   window.statusBar()->showMessage(first.message);
   return QApplication::exec() == 0 ? kSuccess : kFailed;
 }

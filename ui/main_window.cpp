@@ -35,6 +35,7 @@
 #include "ui/control/target_control.h"
 #include "ui/control/time_commands.h"
 #include "ui/control/undo_commands.h"
+#include "ui/help/help_desk.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
 #include "ui/panels/comparison_panel.h"
@@ -325,6 +326,7 @@ void MainWindow::connectFiles() {
   on(Command::kMeasure, this, &MainWindow::showTrade);
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
+  new HelpDesk(*m_commands, m_editor, this);
   new RecentFiles(m_files, m_menu->recentFiles());
   new SceneDrop(m_files, this);
   connect(m_menu, &MainMenu::builtInChosen, m_files, &SceneFiles::openBuiltIn);
