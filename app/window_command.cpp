@@ -6,6 +6,7 @@
 #include "core/system/screen.h"
 #include "ui/control/draft_keeper.h"
 #include "ui/control/first_scene.h"
+#include "ui/control/settings.h"
 #include "ui/control/translations.h"
 #include "ui/main_window.h"
 
@@ -20,7 +21,7 @@ bool hasDisplay() {
 }
 
 ExitStatus runWindow(const WindowCall& call) {
-  ui::installTranslations(*QCoreApplication::instance());
+  ui::speak(ui::Settings().language());
   const ui::FirstScene first = ui::firstScene(call.scene);
   if (!first.scene) return failure(kRefused, call.scene + QStringLiteral(": ") + first.message);
   ui::MainWindow window(*first.scene, first.file);
