@@ -10,7 +10,7 @@ project=$(CDPATH='' cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(
   g++ cmake ninja-build libeigen3-dev
   qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools
-  libgl1-mesa-dri fonts-dejavu-core
+  libgl1-mesa-dri fonts-dejavu-core qt6-translations-l10n
 )
 
 # To make a package besides: it finds out which libraries the program needs.

@@ -9,6 +9,7 @@
 #include "ui/control/commands.h"
 #include "ui/control/draft_keeper.h"
 #include "ui/control/first_scene.h"
+#include "ui/control/settings.h"
 #include "ui/control/translations.h"
 #include "ui/help/tour.h"
 #include "ui/main_window.h"
@@ -24,7 +25,7 @@ bool hasDisplay() {
 }
 
 ExitStatus runWindow(const WindowCall& call) {
-  ui::installTranslations(*QCoreApplication::instance());
+  ui::speak(ui::Settings().language());
   const ui::FirstScene first = ui::firstScene(call.scene);
   if (!first.scene) return failure(kRefused, call.scene + QStringLiteral(": ") + first.message);
   ui::MainWindow window(*first.scene, first.file);
