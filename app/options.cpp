@@ -15,6 +15,9 @@ namespace app {
 
 namespace {
 
+// Under its full name lupdate takes solverOf() for a member of core, and its texts for others'.
+using core::Solver;
+
 constexpr core::Range kUntilRange{0, 1e6, "s"};
 constexpr core::Range kSampleRange{1e-7, 1e6, "s"};
 
@@ -49,8 +52,8 @@ QString methodNames() {
   return joined(names);
 }
 
-core::Solver solverOf(const Arguments& arguments) {
-  core::Solver solver;
+Solver solverOf(const Arguments& arguments) {
+  Solver solver;
   if (arguments.has(kMethod)) solver.method = arguments.text(kMethod).toStdString();
   const core::Method* method = core::findOfferedMethod(solver.method);
   if (!method) {

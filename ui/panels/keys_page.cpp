@@ -90,30 +90,29 @@ std::vector<Group> commandGroups(const Commands& commands) {
 }
 
 std::vector<Group> otherGroups() {
-  const auto tr = [](const char* words) { return KeysPage::tr(words); };
-  return {{tr("In the scene"),
-           {{tr("Wheel, drag"), tr("Zoom, move the view")},
-            {tr("Double click"), tr("Fit the room")},
-            {tr("Click"), tr("Select a weight")},
-            {tr("Drag a weight"), tr("Set its angle or place")},
-            {tr("Shift+drag"), tr("Set its rope's length")},
-            {tr("Drag its arrow"), tr("Set its velocity")},
-            {tr("Ctrl+drag"), tr("Snap")},
-            {tr("Alt+arrows"), tr("Move the weight")},
-            {tr("Alt+Shift+arrows"), tr("Change its velocity")}}},
-          {tr("In the table"),
-           {{tr("Ins, Del"), tr("Add, remove weights")},
-            {tr("Ctrl+C, Ctrl+V"), tr("Copy, paste cells")},
-            {tr("Ctrl+D"), tr("Fill down")}}},
-          {tr("In a chart"),
-           {{tr("Wheel, + −"), tr("Zoom")},
-            {tr("Drag"), tr("Zoom to a box")},
-            {tr("Shift+drag, Alt+arrows"), tr("Move what it shows")},
-            {tr("Double click, 0"), tr("Show all")}}},
-          {tr("Everywhere"),
-           {{tr("Return, Escape"), tr("Apply, restore a field")},
-            {tr("Tab, Shift+Tab"), tr("Next, previous field")},
-            {tr("Alt+letter"), tr("Open that menu")}}}};
+  return {{KeysPage::tr("In the scene"),
+           {{KeysPage::tr("Wheel, drag"), KeysPage::tr("Zoom, move the view")},
+            {KeysPage::tr("Double click"), KeysPage::tr("Fit the room")},
+            {KeysPage::tr("Click"), KeysPage::tr("Select a weight")},
+            {KeysPage::tr("Drag a weight"), KeysPage::tr("Set its angle or place")},
+            {KeysPage::tr("Shift+drag"), KeysPage::tr("Set its rope's length")},
+            {KeysPage::tr("Drag its arrow"), KeysPage::tr("Set its velocity")},
+            {KeysPage::tr("Ctrl+drag"), KeysPage::tr("Snap")},
+            {KeysPage::tr("Alt+arrows"), KeysPage::tr("Move the weight")},
+            {KeysPage::tr("Alt+Shift+arrows"), KeysPage::tr("Change its velocity")}}},
+          {KeysPage::tr("In the table"),
+           {{KeysPage::tr("Ins, Del"), KeysPage::tr("Add, remove weights")},
+            {KeysPage::tr("Ctrl+C, Ctrl+V"), KeysPage::tr("Copy, paste cells")},
+            {KeysPage::tr("Ctrl+D"), KeysPage::tr("Fill down")}}},
+          {KeysPage::tr("In a chart"),
+           {{KeysPage::tr("Wheel, + −"), KeysPage::tr("Zoom")},
+            {KeysPage::tr("Drag"), KeysPage::tr("Zoom to a box")},
+            {KeysPage::tr("Shift+drag, Alt+arrows"), KeysPage::tr("Move what it shows")},
+            {KeysPage::tr("Double click, 0"), KeysPage::tr("Show all")}}},
+          {KeysPage::tr("Everywhere"),
+           {{KeysPage::tr("Return, Escape"), KeysPage::tr("Apply, restore a field")},
+            {KeysPage::tr("Tab, Shift+Tab"), KeysPage::tr("Next, previous field")},
+            {KeysPage::tr("Alt+letter"), KeysPage::tr("Open that menu")}}}};
 }
 
 /// Lines from the top of a column on.
