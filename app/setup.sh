@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What app/run, app/package, tests/run and .ci/run share; they source it.
+# What app/run, app/package, tests/run, the other commands in tests and .ci/run share; they source it.
 # Sets `project` (the project's folder) and defines install_packages and build_release.
 
 project=$(CDPATH='' cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -23,6 +23,10 @@ test_packages=(
   xvfb xauth dbus-daemon desktop-file-utils appstream shared-mime-info groff-base zsh fish
   "${package_packages[@]}"
 )
+
+# For tests/fuzz/campaign: a compiler with libFuzzer.
+# shellcheck disable=SC2034
+fuzz_packages=(clang libclang-rt-14-dev)
 
 # To standard error: standard output is the program's.
 say() { echo "angrycuts: $*" >&2; }

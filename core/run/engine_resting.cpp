@@ -102,6 +102,7 @@ void Engine::settle(double s, bool foresee) {
   letGo(group, s);
   loseQuietly(s, std::max(0.0, pushLoss(group.contacts, group.unkicked, group.weights)),
               std::max(0.0, dragLoss(group.contacts, group.unkicked, group.weights)));
+  loseQuietly(s, group.stopUnsolved(), 0);
   carryImpulses(group);
   fallAsleep(group, s, duration);
   goOnInGroup(group, s, foresee);

@@ -66,6 +66,12 @@ class Engine::Group {
   /// Looks for its contacts further away, when it has become faster.
   void lookFurther(int local);
 
+  /// Stops members that their velocities would lead deep into each other within the stretch, and
+  /// turns away those that would then run into them: what no number of sweeps solves, such as
+  /// 10⁹ kg that drive 10⁻⁶ kg into a corner at 10⁵ m/s, shall not end in an overlap.
+  /// @return  the kinetic energy that takes [J]
+  double stopUnsolved();
+
   /// Notes what pushes the members: the floor counts where nothing else does and no rope ties.
   void findSupport();
 
@@ -79,6 +85,8 @@ class Engine::Group {
 
  private:
   double reachAt(double speed) const;
+  double excessAt(int contact) const;
+  double kineticEnergy() const;
   void lookAt(int local, int other);
   void addSurfacesOf(int local);
   double widened(double gap) const;
@@ -90,6 +98,7 @@ class Engine::Group {
   double m_s;
   double m_duration;
   bool m_widens;
+  int m_hit = -1;  // the contact whose gap says how fast the two shall part; −1: none
   std::vector<int> m_firstContact;                // of members; −1: none
   std::vector<std::array<int, 2>> m_nextContact;  // of contacts: the next one of a and of b
   std::vector<double> m_reach;  // of members: how far their contacts were looked for [m]
