@@ -17,10 +17,11 @@ build_packages=(
 # shellcheck disable=SC2034
 package_packages=(dpkg-dev file)
 
-# To test besides: a virtual screen, a message bus, what checks the files a desktop reads, and shells.
+# To test besides: a virtual screen, a message bus, what checks the files a desktop reads, shells,
+# and what watches system calls.
 # shellcheck disable=SC2034
 test_packages=(
-  xvfb xauth dbus-daemon desktop-file-utils appstream shared-mime-info groff-base zsh fish
+  xvfb xauth dbus-daemon desktop-file-utils appstream shared-mime-info groff-base zsh fish strace
   "${package_packages[@]}"
 )
 
@@ -77,7 +78,7 @@ install_packages() {
   as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
 }
 
-# Configures, and builds one target in Release in build/release.
+# Configures, and builds targets in Release in build/release.
 build_release() {
   local -a options=() ninja=()
   # Nobody reads the warnings of a build without a person in front of it, so they stop it.
@@ -87,5 +88,5 @@ build_release() {
   [ -e "$project/build/release/build.ninja" ] ||
     say "building in $project/build/release, which takes minutes the first time"
   cmake -S "$project" --preset release "${options[@]}" >/dev/null
-  cmake --build "$project/build/release" --target "$1" "${ninja[@]}" >&2
+  cmake --build "$project/build/release" --target "$@" "${ninja[@]}" >&2
 }
