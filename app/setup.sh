@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What app/run, app/package, tests/run and .ci/run share; they source it.
+# What app/run, app/package, tests/run, the other commands in tests and .ci/run share; they source it.
 # Sets `project` (the project's folder) and defines install_packages and build_release.
 
 project=$(CDPATH='' cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -10,20 +10,24 @@ project=$(CDPATH='' cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(
   g++ cmake ninja-build libeigen3-dev
   qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools
-  libgl1-mesa-dri fonts-dejavu-core
+  libgl1-mesa-dri fonts-dejavu-core qt6-translations-l10n
 )
 
 # To make a package besides: it finds out which libraries the program needs.
 # shellcheck disable=SC2034
 package_packages=(dpkg-dev file)
 
-# To test besides: a virtual screen, what checks the files a desktop reads, shells, and what
-# watches system calls.
+# To test besides: a virtual screen, a message bus, what checks the files a desktop reads, shells,
+# and what watches system calls.
 # shellcheck disable=SC2034
 test_packages=(
-  xvfb xauth desktop-file-utils appstream shared-mime-info groff-base zsh fish strace
+  xvfb xauth dbus-daemon desktop-file-utils appstream shared-mime-info groff-base zsh fish strace
   "${package_packages[@]}"
 )
+
+# For tests/fuzz/campaign: a compiler with libFuzzer.
+# shellcheck disable=SC2034
+fuzz_packages=(clang libclang-rt-14-dev)
 
 # To standard error: standard output is the program's.
 say() { echo "angrycuts: $*" >&2; }

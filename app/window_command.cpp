@@ -1,13 +1,18 @@
 #include "app/window_command.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QFile>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "core/system/screen.h"
+#include "ui/control/commands.h"
 #include "ui/control/draft_keeper.h"
 #include "ui/control/first_scene.h"
+#include "ui/control/settings.h"
 #include "ui/control/translations.h"
+#include "ui/help/tour.h"
 #include "ui/main_window.h"
 
 namespace app {
@@ -41,12 +46,15 @@ QString windowFailure(const QString& reason) {
 }
 
 ExitStatus runWindow(const WindowCall& call) {
-  ui::installTranslations(*QCoreApplication::instance());
+  ui::speak(ui::Settings().language());
   const ui::FirstScene first = ui::firstScene(call.scene);
   if (!first.scene) return failure(kRefused, call.scene + QStringLiteral(": ") + first.message);
   ui::MainWindow window(*first.scene, first.file);
   window.keepDraftsIn(ui::draftFolder());
   window.show();
+  // Whoever names a scene knows what to do with it.
+  if (call.scene.isEmpty() && ui::isTourDue())
+    QTimer::singleShot(0, window.commands().action(ui::Command::kTour), &QAction::trigger);
   window.statusBar()->showMessage(first.message);
   return QApplication::exec() == 0 ? kSuccess : kFailed;
 }

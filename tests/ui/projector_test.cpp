@@ -21,6 +21,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "tests/support/shown_window.h"
 #include "ui/chart/chart_look.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
@@ -37,27 +38,29 @@
 #include "ui/view/shown_scene.h"
 #include "ui/view/trails.h"
 
+using tests::kProjector;
 using ui::Command;
-using ui::MainWindow;
 
 namespace {
 
-constexpr QSize kProjector(1280, 720);
 constexpr double kSmallest = 12;  // pt
 
-class ShownWindow : public MainWindow {
+/// Whether something of it is on the screen: of an area that scrolls that is what is in it.
+bool isSeen(const QWidget* widget) {
+  return !widget->visibleRegion().isEmpty() ||
+         std::ranges::any_of(widget->findChildren<QWidget*>(),
+                             [](const QWidget* part) { return !part->visibleRegion().isEmpty(); });
+}
+
+class ProjectedWindow : public tests::ShownWindow {
  public:
-  ShownWindow() : MainWindow(ui::builtInScene("seven-weights")) {
-    setWindowState(Qt::WindowNoState);
-    resize(kProjector);
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
+  ProjectedWindow() : ShownWindow(ui::builtInScene("seven-weights")) {
     controller()->stepOnce();
     QCoreApplication::processEvents();
   }
 
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(this, key, modifiers);
+    ShownWindow::press(key, modifiers);
     QCoreApplication::processEvents();
   }
 
@@ -147,7 +150,7 @@ class ProjectorTest : public QObject {
   void textCanShrinkAgain();
   void everyCommandHasAKeyOrLetters();
   void noTwoCommandsShareAKey();
-  void everyControlIsReachedByTab();
+  void tabReachesEveryControlThatIsSeenAndNoOther();
   void allKeysFitOnAProjector();
   void theKeysPageNamesEveryKey();
 
@@ -165,7 +168,7 @@ void ProjectorTest::init() {
 }
 
 void ProjectorTest::nothingInTheWindowIsUnder12Points() {
-  ShownWindow window;
+  ProjectedWindow window;
   for (const char* panel : {"charts", "comparison", "step", "events", "weights", "scene"}) {
     window.findChild<QDockWidget*>(panel)->raise();
     QCoreApplication::processEvents();
@@ -174,7 +177,7 @@ void ProjectorTest::nothingInTheWindowIsUnder12Points() {
 }
 
 void ProjectorTest::nothingInADialogIsUnder12Points() {
-  ShownWindow window;
+  ProjectedWindow window;
   for (const Command command : {Command::kKeys, Command::kAbout, Command::kGoTo}) {
     QStringList small;
     WhenShown shown([&](QWidget* dialog) { small = smallTypeIn(dialog); });
@@ -190,7 +193,7 @@ void ProjectorTest::nothingInADialogIsUnder12Points() {
 }
 
 void ProjectorTest::nothingInTheSceneIsUnder12Points() {
-  ShownWindow window;
+  ProjectedWindow window;
   ui::ShownScene shown = ui::shownScene(window.controller()->runs());
   ui::SceneLook look{ui::Theme::light(), ui::readableFont(window.font())};
   ui::Camera camera;
@@ -205,7 +208,7 @@ void ProjectorTest::nothingInTheSceneIsUnder12Points() {
 void ProjectorTest::textSizeIsChosenLiveAndRemembered() {
   double large = 0;
   {
-    ShownWindow window;
+    ProjectedWindow window;
     const QImage usual = window.findChild<ui::SceneView*>()->grab().toImage();
     window.choose("Very large");
     large = QApplication::font().pointSizeF();
@@ -216,13 +219,13 @@ void ProjectorTest::textSizeIsChosenLiveAndRemembered() {
     QCOMPARE(scene->font().pointSizeF(), large);
     window.close();
   }
-  ShownWindow again;
+  ProjectedWindow again;
   QCOMPARE(QApplication::font().pointSizeF(), large);
   QCOMPARE(smallTypeIn(&again, large).join('\n'), QString());
 }
 
 void ProjectorTest::textCanShrinkAgain() {
-  ShownWindow window;
+  ProjectedWindow window;
   for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
   const QSize least = window.minimumSizeHint();
   window.choose("Very large");
@@ -233,14 +236,14 @@ void ProjectorTest::textCanShrinkAgain() {
 }
 
 void ProjectorTest::everyCommandHasAKeyOrLetters() {
-  const ShownWindow window;
+  const ProjectedWindow window;
   for (const QAction* action : window.commands().all())
     QVERIFY2(!action->shortcut().isEmpty() || !mnemonicPath(action).isEmpty(),
              qPrintable(action->text()));
 }
 
 void ProjectorTest::noTwoCommandsShareAKey() {
-  const ShownWindow window;
+  const ProjectedWindow window;
   QHash<QString, QString> owners;
   for (const QAction* action : window.commands().all()) {
     if (!action->isEnabled()) continue;  // Esc serves what is under way
@@ -252,8 +255,8 @@ void ProjectorTest::noTwoCommandsShareAKey() {
   }
 }
 
-void ProjectorTest::everyControlIsReachedByTab() {
-  ShownWindow window;
+void ProjectorTest::tabReachesEveryControlThatIsSeenAndNoOther() {
+  ProjectedWindow window;
   QSet<const QWidget*> reached;
   QWidget* first = nullptr;
   for (int i = 0; i < 400; ++i) {
@@ -263,6 +266,8 @@ void ProjectorTest::everyControlIsReachedByTab() {
     QVERIFY(focus);
     if (focus == first) break;
     if (!first) first = focus;
+    // Nobody can see what is typed into a panel behind another one.
+    QVERIFY2(isSeen(focus), qPrintable(focus->metaObject()->className() + focus->accessibleName()));
     reached.insert(focus);
   }
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
@@ -290,7 +295,7 @@ void ProjectorTest::everyControlIsReachedByTab() {
 }
 
 void ProjectorTest::allKeysFitOnAProjector() {
-  const ShownWindow window;
+  const ProjectedWindow window;
   constexpr int kForTitleAndButton = 110;  // px, with margins
   const ui::KeysPage page(window.commands(), static_cast<int>(kProjector.height() * 0.84));
   const QSize needed = page.sizeHint() + QSize(40, kForTitleAndButton);
@@ -299,7 +304,7 @@ void ProjectorTest::allKeysFitOnAProjector() {
 }
 
 void ProjectorTest::theKeysPageNamesEveryKey() {
-  const ShownWindow window;
+  const ProjectedWindow window;
   const ui::KeysPage page(window.commands(), 500);
   QStringList words;
   for (const QLabel* label : page.findChildren<QLabel*>()) words << label->text().split(", ");

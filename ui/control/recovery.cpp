@@ -40,6 +40,10 @@ void Recovery::offerNext() {
   m_kept.reset();
   while (!m_found.isEmpty() && !take(m_found.takeLast())) {
   }
+  offerAgain();
+}
+
+void Recovery::offerAgain() {
   if (!m_kept) {
     emit offered({});
     return;
@@ -67,7 +71,8 @@ bool Recovery::take(const QString& file) {
 
 void Recovery::bringBack() {
   if (!m_kept || !m_files->mayLeaveScene()) return;
-  m_editor->restore(m_kept->scene, m_kept->draft, m_kept->file, tr("recovery of changes"));
+  m_editor->restore(m_kept->scene, m_kept->draft, m_kept->file,
+                    [] { return tr("recovery of changes"); });
   // The old file goes when the changes are safe in a new one.
   if (m_keeper->keepAndWait()) removeOffered();
   offerNext();

@@ -70,7 +70,7 @@ bool SceneFiles::mayLeaveScene() {
 }
 
 void SceneFiles::startNew() {
-  if (mayLeaveScene()) m_editor->replace(newScene(), {}, tr("start of a new scene"));
+  if (mayLeaveScene()) m_editor->replace(newScene(), {}, [] { return tr("start of a new scene"); });
 }
 
 void SceneFiles::askAndOpen() {
@@ -102,8 +102,8 @@ void SceneFiles::warnNotOpened(const QString& file, const QString& reason) {
        tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), reason));
 }
 
-QString SceneFiles::openingWords(const QString& name) {
-  return tr("opening of %1").arg(name);
+Words SceneFiles::openingWords(const QString& name) {
+  return [name] { return tr("opening of %1").arg(name); };
 }
 
 bool SceneFiles::save() {

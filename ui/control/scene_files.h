@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "core/scene/scene.h"
+#include "ui/control/words.h"
 
 class QWidget;
 
@@ -52,7 +53,7 @@ class SceneFiles : public QObject {
   void done(const QString& message);
 
  private:
-  static QString openingWords(const QString& name);
+  static Words openingWords(const QString& name);
   void remember();
 
   SceneEditor* m_editor;

@@ -13,6 +13,7 @@ namespace ui {
 namespace {
 
 const QString kPainterKey = QStringLiteral("painter");
+const QString kLanguageKey = QStringLiteral("language");
 const QString kThemeKey = QStringLiteral("theme");
 const QString kTextSizeKey = QStringLiteral("textSize");
 const QString kChartSizeKey = QStringLiteral("chartSize");
@@ -29,6 +30,7 @@ constexpr double kFastest = 1024;  // no button goes so far; a file might
 
 // In the order of the enumerations.
 const std::array kPainterWords{"automatic", "opengl", "qpainter"};
+const std::array kLanguageWords{"desktop", "en", "sv", "de", "fr", "es"};
 const std::array kThemeWords{"desktop", "light", "dark"};
 const std::array kTextSizeWords{"normal", "large", "very-large"};
 
@@ -68,6 +70,14 @@ PainterChoice Settings::painter() const {
 
 void Settings::setPainter(PainterChoice choice) {
   m_store.setValue(kPainterKey, kPainterWords[static_cast<std::size_t>(choice)]);
+}
+
+Language Settings::language() const {
+  return choiceIn<Language>(m_store, kLanguageKey, kLanguageWords);
+}
+
+void Settings::setLanguage(Language language) {
+  m_store.setValue(kLanguageKey, kLanguageWords[static_cast<std::size_t>(language)]);
 }
 
 ThemeChoice Settings::theme() const {

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "ui/control/translations.h"
 #include "ui/style/appearance.h"
 #include "ui/view/scene_view.h"
 
@@ -24,6 +25,9 @@ class Settings {
 
   PainterChoice painter() const;
   void setPainter(PainterChoice choice);
+
+  Language language() const;
+  void setLanguage(Language language);
 
   ThemeChoice theme() const;
   void setTheme(ThemeChoice choice);

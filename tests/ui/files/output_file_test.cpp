@@ -4,16 +4,10 @@
 
 #include <QtTest>
 
+#include "tests/support/file_content.h"
 #include "tests/support/small_disk.h"
 
-namespace {
-
-QByteArray contentOf(const QString& file) {
-  QFile input(file);
-  return input.open(QIODevice::ReadOnly) ? input.readAll() : QByteArray("cannot be read");
-}
-
-}  // namespace
+using tests::contentOf;
 
 class OutputFileTest : public QObject {
   Q_OBJECT

@@ -6,7 +6,10 @@
 #include <QtTest>
 
 #include "core/trade/reference.h"
+#include "tests/support/file_content.h"
 #include "tests/support/small_disk.h"
+
+using tests::contentOf;
 
 namespace {
 
@@ -85,11 +88,6 @@ core::Scene crowd(int count) {
     scene.weights.push_back(weight);
   }
   return scene;
-}
-
-QByteArray contentOf(const QString& file) {
-  QFile input(file);
-  return input.open(QIODevice::ReadOnly) ? input.readAll() : QByteArray("cannot be read");
 }
 
 }  // namespace
