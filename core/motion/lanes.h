@@ -90,8 +90,8 @@ inline double turnedByBit1(double bits, double a) {
 // Before a function with a loop over batches: compiles it for several processors, with all
 // it calls, and takes the best one this machine can run when the program starts. Not for
 // fused multiply-add: its results differ in the last digit. Choosing takes a program of the form
-// ELF, which Windows does not have.
-#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__)
+// ELF, which Windows does not have, and comes too early for the thread sanitizer.
+#if defined(__x86_64__) && defined(__ELF__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define CORE_VECTOR_SPEED [[gnu::target_clones("default", "avx2", "avx512f")]] [[gnu::flatten]]
 #else
 #define CORE_VECTOR_SPEED

@@ -103,9 +103,10 @@ void Engine::goTaut(const Upcoming& event) {
   const double off = out.norm() - body.length;
   double placed = angle;
   if (off > kOffCircle * body.length) {
-    const double clear = clearAngle(i, s, angle);
+    // Around the circle: the clear one may be told a whole turn away.
+    const double aside = std::remainder(clearAngle(i, s, angle) - angle, 2 * std::numbers::pi);
     // Something right between the weight and the pivot would take a jump to clear.
-    if (std::abs(clear - angle) * body.length <= kFarthestAside * off) placed = clear;
+    if (std::abs(aside) * body.length <= kFarthestAside * off) placed = angle + aside;
   }
   Entries after;
   after << placed, 0, velocity.dot(track) / body.length, 0, before[4];

@@ -30,6 +30,7 @@ constexpr double kFineStep = 1.0 / 240;
 constexpr double kPlayedStep = 1.0 / 60;
 // Questions whether to go on, one or more for each event: seconds of work.
 constexpr int kMostQuestions = 20'000;
+constexpr int kMostQuestionsInOrdinary = 400'000;
 
 /// What numbers are chosen from.
 struct Ranges {
@@ -183,12 +184,14 @@ class PatientRun {
   /// @return  false where the run ended, or was given up
   bool advance() {
     cutByHand(run, m_fuzzed);
-    const bool isTaken = run.tryAdvance([&](double) { return ++m_questions < kMostQuestions; });
+    const bool isTaken = run.tryAdvance([&](double) { return ++m_questions < most(); });
     return isTaken && run.status() == RunStatus::kRunning;
   }
-  bool isGivenUp() const { return m_questions >= kMostQuestions; }
+  bool isGivenUp() const { return m_questions >= most(); }
 
  private:
+  int most() const { return m_fuzzed.isOrdinary ? kMostQuestionsInOrdinary : kMostQuestions; }
+
   const FuzzedRun& m_fuzzed;
   int m_questions = 0;
 

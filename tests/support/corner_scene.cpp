@@ -88,7 +88,7 @@ std::string faultAtCorner(int corner, const core::Solver& solver, int steps) {
     if (processorTime() - start > kLongest) return "takes too long";
   if (!isFinite(run)) return "numbers that are not finite";
   const Bounds bounds = Bounds::extreme(scene->room);
-  const double outside = farthestOutside(run);
+  const double outside = farthestOutside(run, bounds);
   if (outside > bounds.outside) return core::numberText(outside) + " m outside the room";
   const double overlap = deepestOverlap(run, bounds);
   if (overlap > 0) return core::numberText(overlap) + " m of overlap too much";

@@ -29,12 +29,13 @@ std::vector<Vector2d> placesNow(const core::Run& run) {
   return places;
 }
 
-double outside(const core::Scene& scene, const std::vector<Vector2d>& places) {
+double outside(const core::Scene& scene, const std::vector<Vector2d>& places,
+               const Bounds& bounds) {
   const Vector2d room(scene.room.width, scene.room.height);
   double farthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double nearest = places[i].cwiseMin(room - places[i]).minCoeff();
-    farthest = std::max(farthest, scene.weights[i].radius - nearest);
+    farthest = std::max(farthest, (1 - bounds.outsideShare) * scene.weights[i].radius - nearest);
   }
   return farthest;
 }
@@ -70,14 +71,15 @@ double largestEntry(const Energies& energies, double start) {
 
 Bounds Bounds::extreme(const core::Room& room) {
   return {.outside = 1e-6 + 1e-11 * std::max(room.width, room.height),
+          .outsideShare = 1e-4,
           .overlap = 1e-6,
           .overlapShare = 0.01,
           .travelShare = 1e-14,
           .looksInside = false};
 }
 
-double farthestOutside(const core::Run& run) {
-  return outside(run.scene(), placesNow(run));
+double farthestOutside(const core::Run& run, const Bounds& bounds) {
+  return outside(run.scene(), placesNow(run), bounds);
 }
 
 double deepestOverlap(const core::Run& run, const Bounds& bounds) {
@@ -104,6 +106,8 @@ std::string RunWatch::faultAfterStep(const core::Run& run) {
     m_hasRested = m_hasRested || event.kind == core::EventKind::kRest;
     m_fastest = std::max({m_fastest, event.speedBefore, event.speedAfter});
   }
+  for (int i = 0; i < run.weightCount(); ++i)
+    m_hasRested = m_hasRested || run.weight(i).phase == core::Phase::kResting;
   std::string fault = faultInPlaces(run);
   if (fault.empty()) fault = faultInLedger(run);
   if (fault.empty()) fault = faultInEvents(run);
@@ -140,7 +144,7 @@ std::string RunWatch::faultInPlaces(const core::Run& run) const {
   const double rounding = roundingOfPlaces(run) + bendOfRopes(run);
   const auto faultIn = [&](const std::vector<Vector2d>& places, double time) -> std::string {
     const std::string moment = " at " + numberText(time) + " s";
-    const double out = outside(run.scene(), places);
+    const double out = outside(run.scene(), places, m_bounds);
     if (!(out <= m_bounds.outside + rounding))
       return numberText(out) + " m outside the room" + moment;
     const double deep = overlap(run.scene(), places, m_bounds);

@@ -10,6 +10,7 @@ namespace tests {
 /// How exactly a run must keep its weights where they may be.
 struct Bounds {
   double outside = 1e-6;    ///< how far a disc may reach into a wall [m]
+  double outsideShare = 0;  ///< the same, as a share of its radius; added
   double overlap = 1e-6;    ///< how far two discs may reach into each other [m]
   double overlapShare = 0;  ///< the same, as a share of their radii; the larger one counts
   double travelShare = 0;   ///< what rounding may leave of the longest way of a step; added to both
@@ -22,8 +23,9 @@ struct Bounds {
   static Bounds extreme(const core::Room& room);
 };
 
-/// How far the discs reach into walls at most, now [m]; negative where none does.
-double farthestOutside(const core::Run& run);
+/// How far the discs reach into walls at most, now [m], but for the share of their radii that is
+/// allowed; negative where none does.
+double farthestOutside(const core::Run& run, const Bounds& bounds);
 /// How far two discs reach into each other at most, beyond what the bounds allow [m].
 double deepestOverlap(const core::Run& run, const Bounds& bounds);
 /// Whether every number that the run shows now is finite.
