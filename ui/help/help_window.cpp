@@ -81,9 +81,9 @@ HelpWindow::HelpWindow(QWidget* parent)
   layout->addLayout(book, 1);
   layout->addWidget(buttons());
   resize(kFirstSize.boundedTo(screen()->availableSize() * kScreenShare));
-  connect(m_chapters, &QTabBar::currentChanged, this, [this] { open(chapter()); });
+  connect(m_chapters, &QTabBar::currentChanged, this, &HelpWindow::showChapter);
   connect(m_contents, &QListWidget::currentRowChanged, this, &HelpWindow::goTo);
-  open(Chapter::kGuide);
+  showChapter();
 }
 
 QWidget* HelpWindow::buttons() {
@@ -112,7 +112,7 @@ void HelpWindow::bringUp(Chapter chapter) {
 
 void HelpWindow::bringUpSheet(const QString& lesson) {
   m_lesson = lesson;
-  if (chapter() == Chapter::kSheets) open(Chapter::kSheets);
+  if (chapter() == Chapter::kSheets) showChapter();
   bringUp(Chapter::kSheets);
 }
 
@@ -120,7 +120,7 @@ HelpWindow::Chapter HelpWindow::chapter() const {
   return static_cast<Chapter>(m_chapters->currentIndex());
 }
 
-void HelpWindow::open(Chapter) {
+void HelpWindow::showChapter() {
   showText();
   listContents();
 }
@@ -202,7 +202,7 @@ QString HelpWindow::title() const {
 }
 
 void HelpWindow::print() {
-  if (askAndPrint(*pagesForPaper(), title(), this)) emit done(tr("Printed %1").arg(title()));
+  if (askAndPrint(*pagesForPaper(), title(), this)) emit said(tr("Printed %1").arg(title()));
 }
 
 void HelpWindow::savePdf() {
@@ -211,7 +211,7 @@ void HelpWindow::savePdf() {
   if (file.isEmpty()) return;
   const QString error = writePdf(*pagesForPaper(), title(), file);
   if (error.isEmpty()) {
-    emit done(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+    emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
   } else {
     QMessageBox::warning(this, tr("Not saved"), error);
   }
