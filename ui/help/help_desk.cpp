@@ -15,8 +15,9 @@ constexpr int kMessageTime = 6000;  // ms
 
 }  // namespace
 
-HelpDesk::HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWindow* window)
-    : QObject(window), m_editor(editor), m_window(window) {
+HelpDesk::HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWindow* window,
+                   QWidget* face)
+    : QObject(face), m_editor(editor), m_window(window), m_face(face) {
   const auto on = [&](Command command, auto answer) {
     connect(commands.action(command), &QAction::triggered, this, answer);
   };
@@ -26,9 +27,13 @@ HelpDesk::HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWin
   on(Command::kTour, [this] { m_tour = m_tour ? m_tour.data() : new Tour(m_window); });
 }
 
+HelpDesk::~HelpDesk() {
+  delete m_tour;
+}
+
 HelpWindow* HelpDesk::book() {
   if (!m_book) {
-    m_book = new HelpWindow(m_window);
+    m_book = new HelpWindow(m_face);
     connect(m_book, &HelpWindow::said, m_window->statusBar(), [this](const QString& words) {
       m_window->statusBar()->showMessage(words, kMessageTime);
     });

@@ -19,8 +19,10 @@ class HelpDesk : public QObject {
   Q_OBJECT
 
  public:
-  /// @param window  the main window, parent of what is shown
-  HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWindow* window);
+  /// @param window  the main window, which the tour leads through
+  /// @param face    of the window in one language; what is shown goes with it
+  HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWindow* window, QWidget* face);
+  ~HelpDesk() override;
 
  private:
   HelpWindow* book();
@@ -28,6 +30,7 @@ class HelpDesk : public QObject {
 
   const SceneEditor* m_editor;
   QMainWindow* m_window;
+  QWidget* m_face;
   HelpWindow* m_book = nullptr;  // made when it is wanted first
   QPointer<Tour> m_tour;         // while it lasts
 };
