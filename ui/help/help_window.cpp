@@ -65,12 +65,15 @@ HelpWindow::HelpWindow(QWidget* parent)
   m_chapters->setDrawBase(false);
   m_chapters->setExpanding(false);
   m_chapters->setAccessibleName(tr("Chapters"));
+  m_chapters->setAccessibleDescription(tr("Guide, model or teacher's sheets"));
   m_contents->setAccessibleName(tr("Contents"));
+  m_contents->setAccessibleDescription(tr("What this chapter has; the one chosen is shown"));
   m_contents->setFrameShape(QFrame::NoFrame);
   m_contents->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_contents->setSpacing(2);
   m_contents->setTextElideMode(Qt::ElideRight);
   m_page->setAccessibleName(tr("Text"));
+  m_page->setAccessibleDescription(tr("The page that is open"));
   m_page->setOpenLinks(false);
   m_page->setFrameShape(QFrame::NoFrame);
   auto* book = new QHBoxLayout;
@@ -89,15 +92,19 @@ HelpWindow::HelpWindow(QWidget* parent)
 QWidget* HelpWindow::buttons() {
   auto* box = new QDialogButtonBox(QDialogButtonBox::Close);
   box->button(QDialogButtonBox::Close)->setIcon(icon("close"));
-  const auto add = [&](const char* name, const QString& words, auto slot) {
+  box->button(QDialogButtonBox::Close)->setToolTip(tr("Close this window"));
+  const auto add = [&](const char* name, const QString& words, const QString& tip, auto slot) {
     QPushButton* button = box->addButton(words, QDialogButtonBox::ActionRole);
     button->setIcon(icon(name));
+    button->setToolTip(tip);
     button->setAutoDefault(false);
     connect(button, &QPushButton::clicked, this, slot);
     return button;
   };
-  add("print", tr("&Print…"), &HelpWindow::print)->setShortcut(QKeySequence::Print);
-  add("save", tr("&Save as PDF…"), &HelpWindow::savePdf)->setShortcut(QKeySequence::Save);
+  add("print", tr("&Print…"), tr("Print these pages, black on white"), &HelpWindow::print)
+      ->setShortcut(QKeySequence::Print);
+  add("save", tr("&Save as PDF…"), tr("Save these pages as a file"), &HelpWindow::savePdf)
+      ->setShortcut(QKeySequence::Save);
   connect(box, &QDialogButtonBox::rejected, this, &QDialog::reject);
   return box;
 }
