@@ -34,7 +34,7 @@ HelpDesk::~HelpDesk() {
 HelpWindow* HelpDesk::book() {
   if (!m_book) {
     m_book = new HelpWindow(m_face);
-    connect(m_book, &HelpWindow::done, m_window->statusBar(), [this](const QString& words) {
+    connect(m_book, &HelpWindow::said, m_window->statusBar(), [this](const QString& words) {
       m_window->statusBar()->showMessage(words, kMessageTime);
     });
   }

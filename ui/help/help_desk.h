@@ -21,8 +21,7 @@ class HelpDesk : public QObject {
  public:
   /// @param window  the main window, which the tour leads through
   /// @param face    of the window in one language; what is shown goes with it
-  HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWindow* window,
-           QWidget* face);
+  HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWindow* window, QWidget* face);
   ~HelpDesk() override;
 
  private:

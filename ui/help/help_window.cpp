@@ -65,12 +65,15 @@ HelpWindow::HelpWindow(QWidget* parent)
   m_chapters->setDrawBase(false);
   m_chapters->setExpanding(false);
   m_chapters->setAccessibleName(tr("Chapters"));
+  m_chapters->setAccessibleDescription(tr("Guide, model or teacher's sheets"));
   m_contents->setAccessibleName(tr("Contents"));
+  m_contents->setAccessibleDescription(tr("What this chapter has; the one chosen is shown"));
   m_contents->setFrameShape(QFrame::NoFrame);
   m_contents->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_contents->setSpacing(2);
   m_contents->setTextElideMode(Qt::ElideRight);
   m_page->setAccessibleName(tr("Text"));
+  m_page->setAccessibleDescription(tr("The page that is open"));
   m_page->setOpenLinks(false);
   m_page->setFrameShape(QFrame::NoFrame);
   auto* book = new QHBoxLayout;
@@ -81,23 +84,27 @@ HelpWindow::HelpWindow(QWidget* parent)
   layout->addLayout(book, 1);
   layout->addWidget(buttons());
   resize(kFirstSize.boundedTo(screen()->availableSize() * kScreenShare));
-  connect(m_chapters, &QTabBar::currentChanged, this, [this] { open(chapter()); });
+  connect(m_chapters, &QTabBar::currentChanged, this, &HelpWindow::showChapter);
   connect(m_contents, &QListWidget::currentRowChanged, this, &HelpWindow::goTo);
-  open(Chapter::kGuide);
+  showChapter();
 }
 
 QWidget* HelpWindow::buttons() {
   auto* box = new QDialogButtonBox(QDialogButtonBox::Close);
   box->button(QDialogButtonBox::Close)->setIcon(icon("close"));
-  const auto add = [&](const char* name, const QString& words, auto slot) {
+  box->button(QDialogButtonBox::Close)->setToolTip(tr("Close this window"));
+  const auto add = [&](const char* name, const QString& words, const QString& tip, auto slot) {
     QPushButton* button = box->addButton(words, QDialogButtonBox::ActionRole);
     button->setIcon(icon(name));
+    button->setToolTip(tip);
     button->setAutoDefault(false);
     connect(button, &QPushButton::clicked, this, slot);
     return button;
   };
-  add("print", tr("&Print…"), &HelpWindow::print)->setShortcut(QKeySequence::Print);
-  add("save", tr("&Save as PDF…"), &HelpWindow::savePdf)->setShortcut(QKeySequence::Save);
+  add("print", tr("&Print…"), tr("Print these pages, black on white"), &HelpWindow::print)
+      ->setShortcut(QKeySequence::Print);
+  add("save", tr("&Save as PDF…"), tr("Save these pages as a file"), &HelpWindow::savePdf)
+      ->setShortcut(QKeySequence::Save);
   connect(box, &QDialogButtonBox::rejected, this, &QDialog::reject);
   return box;
 }
@@ -112,7 +119,7 @@ void HelpWindow::bringUp(Chapter chapter) {
 
 void HelpWindow::bringUpSheet(const QString& lesson) {
   m_lesson = lesson;
-  if (chapter() == Chapter::kSheets) open(Chapter::kSheets);
+  if (chapter() == Chapter::kSheets) showChapter();
   bringUp(Chapter::kSheets);
 }
 
@@ -120,7 +127,7 @@ HelpWindow::Chapter HelpWindow::chapter() const {
   return static_cast<Chapter>(m_chapters->currentIndex());
 }
 
-void HelpWindow::open(Chapter) {
+void HelpWindow::showChapter() {
   showText();
   listContents();
 }
@@ -202,7 +209,7 @@ QString HelpWindow::title() const {
 }
 
 void HelpWindow::print() {
-  if (askAndPrint(*pagesForPaper(), title(), this)) emit done(tr("Printed %1").arg(title()));
+  if (askAndPrint(*pagesForPaper(), title(), this)) emit said(tr("Printed %1").arg(title()));
 }
 
 void HelpWindow::savePdf() {
@@ -211,7 +218,7 @@ void HelpWindow::savePdf() {
   if (file.isEmpty()) return;
   const QString error = writePdf(*pagesForPaper(), title(), file);
   if (error.isEmpty()) {
-    emit done(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+    emit said(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
   } else {
     QMessageBox::warning(this, tr("Not saved"), error);
   }

@@ -35,7 +35,7 @@ class HelpWindow : public QDialog {
 
  signals:
   /// What was done, in words.
-  void done(const QString& words);
+  void said(const QString& words);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -43,7 +43,7 @@ class HelpWindow : public QDialog {
  private:
   Chapter chapter() const;
   QWidget* buttons();
-  void open(Chapter chapter);
+  void showChapter();
   void listContents();
   void showText();
   void goTo(int row);

@@ -71,7 +71,7 @@ class DisplayedMath : public InlineDrawing {
   MathPicture set(const DrawingLook& look) const {
     QFont font = look.font;
     font.setPointSizeF(font.pointSizeF() * kDisplaySize);
-    const MathPicture wanted = mathLines(m_lines, font, look.device);
+    MathPicture wanted = mathLines(m_lines, font, look.device);
     if (look.room <= 0 || wanted.width <= look.room) return wanted;
     font.setPointSizeF(font.pointSizeF() * look.room / wanted.width);
     return mathLines(m_lines, font, look.device);
@@ -136,10 +136,10 @@ InlineDrawings::InlineDrawings(QTextDocument* document, const QColor& color)
   document->documentLayout()->registerHandler(kType, this);
 }
 
-void InlineDrawings::insert(QTextCursor& cursor, DrawingPointer drawing) {
+void InlineDrawings::insert(QTextCursor& cursor, const DrawingPointer& drawing) {
   QTextCharFormat format = cursor.charFormat();
   format.setObjectType(kType);
-  format.setProperty(kDrawing, QVariant::fromValue(std::move(drawing)));
+  format.setProperty(kDrawing, QVariant::fromValue(drawing));
   cursor.insertText(QString(QChar::ObjectReplacementCharacter), format);
 }
 

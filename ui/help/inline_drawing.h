@@ -48,7 +48,7 @@ class InlineDrawings : public QObject, public QTextObjectInterface {
   InlineDrawings(QTextDocument* document, const QColor& color);
 
   /// Puts one in, in the font of the text there.
-  static void insert(QTextCursor& cursor, std::shared_ptr<const InlineDrawing> drawing);
+  static void insert(QTextCursor& cursor, const std::shared_ptr<const InlineDrawing>& drawing);
 
   QSizeF intrinsicSize(QTextDocument* document, int place, const QTextFormat& format) override;
   void drawObject(QPainter* painter, const QRectF& rect, QTextDocument* document, int place,

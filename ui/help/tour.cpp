@@ -87,6 +87,9 @@ void Tour::buildBubble() {
   m_skip = new QPushButton(tr("Skip"));
   m_back = new QPushButton(tr("Back"));
   m_next = new QPushButton;
+  m_skip->setToolTip(tr("End the tour; the Help menu has it again"));
+  m_back->setToolTip(tr("Show the hint before"));
+  m_next->setToolTip(tr("Go on with the tour, or end it"));
   connect(m_skip, &QPushButton::clicked, this, &Tour::end);
   connect(m_back, &QPushButton::clicked, this, [this] { show(m_hint - 1); });
   connect(m_next, &QPushButton::clicked, this, [this] { show(m_hint + 1); });

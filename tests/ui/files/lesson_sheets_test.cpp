@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include <QAbstractButton>
@@ -35,6 +36,16 @@ constexpr int kSeen = 4;   // which of them quotes the numbers
 
 QString sheet(const QString& lesson, const QString& language) {
   return ui::longText(kSheets, lesson, language);
+}
+
+/// All sheets and the guide by their names, as far as they are written.
+std::vector<std::pair<QString, QString>> textsIn(const QString& language) {
+  std::vector<std::pair<QString, QString>> texts;
+  for (const ui::Lesson& lesson : ui::lessons())
+    texts.emplace_back(lesson.name, sheet(lesson.name, language));
+  const QString guide = ui::longText(QStringLiteral("help"), QStringLiteral("guide"), language);
+  if (!guide.isEmpty()) texts.emplace_back(QStringLiteral("guide"), guide);
+  return texts;
 }
 
 /// What stands below each heading; the title's line first.
@@ -209,11 +220,12 @@ void LessonSheetsTest::namesKeysThatExist() {
       keys << sequence.toString(QKeySequence::PortableText);
   keys.replaceInStrings(QStringLiteral("Right"), QStringLiteral("→"));
   keys.replaceInStrings(QStringLiteral("Left"), QStringLiteral("←"));
-  for (const ui::Lesson& lesson : ui::lessons()) {
-    const QStringList named = between(QStringLiteral("`"), sheet(lesson.name, kEnglish));
-    QVERIFY2(named.contains(QStringLiteral("Ctrl+L")), qPrintable(lesson.name));
+  keys << QStringLiteral("Shift");
+  for (const auto& [name, text] : textsIn(kEnglish)) {
+    const QStringList named = between(QStringLiteral("`"), text);
+    QVERIFY2(named.contains(QStringLiteral("Ctrl+L")), qPrintable(name));
     for (const QString& key : named)
-      QVERIFY2(keys.contains(key), qPrintable(lesson.name + QStringLiteral(": ") + key));
+      QVERIFY2(keys.contains(key), qPrintable(name + QStringLiteral(": ") + key));
   }
 }
 
@@ -223,14 +235,13 @@ void LessonSheetsTest::namesWhatTheWindowSays() {
   if (!speaking.isKnown()) return;  // its window speaks English
   const ui::MainWindow window(ui::builtInScene(QStringLiteral("seven-weights")));
   const QStringList words = wordsOf(window);
-  for (const ui::Lesson& lesson : ui::lessons()) {
-    const QString text = sheet(lesson.name, language);
+  for (const auto& [name, text] : textsIn(language)) {
     QStringList named = between(QStringLiteral("*"), text);
     for (const QString& path : between(QStringLiteral("**"), text))
       named << path.split(QStringLiteral(" ▸ "));
-    for (QString& name : named)
-      QVERIFY2(words.contains(name.remove(QStringLiteral("…"))),
-               qPrintable(lesson.name + QStringLiteral(": ") + name));
+    for (QString& part : named)
+      QVERIFY2(words.contains(part.remove(QStringLiteral("…"))),
+               qPrintable(name + QStringLiteral(": ") + part));
   }
 }
 
