@@ -32,6 +32,7 @@ TaskRow::TaskRow(BackgroundTask* task, const QString& start, QWidget* parent)
   keepsItsPlace.setRetainSizeWhenHidden(true);
   m_progress->setSizePolicy(keepsItsPlace);
   m_progress->hide();
+  m_button->setToolTip(tr("Compute in the background; the same button stops it"));
   m_layout->addWidget(m_button);
   m_layout->addWidget(m_progress, 1);
   connect(m_button, &QPushButton::clicked, this, &TaskRow::press);
@@ -42,6 +43,7 @@ TaskRow::TaskRow(BackgroundTask* task, const QString& start, QWidget* parent)
 void TaskRow::add(const QString& name, QWidget* control) {
   if (!name.isEmpty()) m_layout->insertWidget(m_layout->indexOf(m_button), new QLabel(name));
   m_layout->insertWidget(m_layout->indexOf(m_button), control);
+  QWidget::setTabOrder(control, m_button);
 }
 
 void TaskRow::addLast(QWidget* control) {
