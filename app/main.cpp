@@ -22,12 +22,10 @@
 namespace {
 
 /// Where Qt would abort, because a display cannot be opened as a rule, the program ends with
-/// one clear line instead. Remarks about a desktop are left out where none is needed.
+/// a clear line instead. Remarks about a desktop are left out where none is needed.
 void showMessage(QtMsgType type, const QMessageLogContext& context, const QString& message) {
   if (type == QtFatalMsg) {
-    std::_Exit(app::failure(
-        app::kFailed, QCoreApplication::translate("app::main", "the window cannot be opened: %1")
-                          .arg(message.section('\n', 0, 0))));
+    std::_Exit(app::failure(app::kFailed, app::windowFailure(message.section('\n', 0, 0))));
   }
   if (app::hasDisplay() || type == QtCriticalMsg) {
     std::fprintf(stderr, "%s\n", qFormatLogMessage(type, context, message).toUtf8().constData());
@@ -67,6 +65,7 @@ class Dispatch {
   app::ExitStatus operator()(const app::WindowCall& call) {
     if (app::hasDisplay()) {
       m_application.reset();
+      app::startNoBus();
       QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);  // docks float
       m_application = std::make_unique<QApplication>(m_argc, m_argv);
       return app::runWindow(call);

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What app/run, app/package, tests/run and .ci/run share; they source it.
+# What app/run, app/package, tests/run, the other commands in tests and .ci/run share; they source it.
 # Sets `project` (the project's folder) and defines install_packages and build_release.
 
 project=$(CDPATH='' cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -17,12 +17,17 @@ build_packages=(
 # shellcheck disable=SC2034
 package_packages=(dpkg-dev file)
 
-# To test besides: a virtual screen, what checks the files a desktop reads, and shells.
+# To test besides: a virtual screen, a message bus, what checks the files a desktop reads, shells,
+# and what watches system calls.
 # shellcheck disable=SC2034
 test_packages=(
-  xvfb xauth desktop-file-utils appstream shared-mime-info groff-base zsh fish
+  xvfb xauth dbus-daemon desktop-file-utils appstream shared-mime-info groff-base zsh fish strace
   "${package_packages[@]}"
 )
+
+# For tests/fuzz/campaign: a compiler with libFuzzer.
+# shellcheck disable=SC2034
+fuzz_packages=(clang libclang-rt-14-dev)
 
 # To standard error: standard output is the program's.
 say() { echo "angrycuts: $*" >&2; }
@@ -73,7 +78,7 @@ install_packages() {
   as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
 }
 
-# Configures, and builds one target in Release in build/release.
+# Configures, and builds targets in Release in build/release.
 build_release() {
   local -a options=() ninja=()
   # Nobody reads the warnings of a build without a person in front of it, so they stop it.
@@ -83,5 +88,5 @@ build_release() {
   [ -e "$project/build/release/build.ninja" ] ||
     say "building in $project/build/release, which takes minutes the first time"
   cmake -S "$project" --preset release "${options[@]}" >/dev/null
-  cmake --build "$project/build/release" --target "$1" "${ninja[@]}" >&2
+  cmake --build "$project/build/release" --target "$@" "${ninja[@]}" >&2
 }

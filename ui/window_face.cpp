@@ -33,6 +33,7 @@
 #include "ui/control/time_commands.h"
 #include "ui/control/undo_commands.h"
 #include "ui/face_view.h"
+#include "ui/help/help_desk.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
 #include "ui/panels/cut_window.h"
@@ -214,6 +215,7 @@ void WindowFace::connectFiles() {
   on(Command::kMeasure, this, &WindowFace::showTrade);
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
+  new HelpDesk(*m_commands, m_bench->editor(), m_window, this);
   new RecentFiles(files, m_menu->recentFiles());
   connect(m_menu, &MainMenu::builtInChosen, files, &SceneFiles::openBuiltIn);
   connect(m_menu, &MainMenu::ledgerChosen, m_exports, &Exports::askAndSaveLedger);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/run/engine.h"
@@ -123,8 +124,10 @@ void Engine::log(EventKind kind, double s, int weight, const WeightState& before
   event.speedBefore = before.velocity.norm();
   event.speedAfter = after.velocity.norm();
   addLoss(m_now.losses, event);
-  m_events.push_back(event);
-  m_eventMoments.push_back(s);
+  // Polishing may move a moment to before others of the step that are over.
+  const auto place = std::ranges::upper_bound(m_events, event.time, {}, &Event::time);
+  m_eventMoments.insert(m_eventMoments.begin() + (place - m_events.begin()), s);
+  m_events.insert(place, event);
 }
 
 }  // namespace core

@@ -23,10 +23,14 @@ void Engine::hitGroup(int a, int b, double s, const Eigen::Vector2d& normal, dou
   group.addHit(a, b, normal, restitution);
   const double tolerance = std::min(looseness() * kHitGap / duration, kCoarsest);
   HitWave(group, {tolerance, mostSweeps()}, duration).run();
-  const double lost = pushLoss(group.contacts, group.unkicked, group.weights) +
-                      dragLoss(group.contacts, group.unkicked, group.weights);
-  const double lostInHit = pushLoss({group.contacts.data(), 1}, group.unkicked, group.weights);
-  loseQuietly(s, std::max(0.0, lost - lostInHit), 0);  // rounding may leave −10⁻¹⁵ of nothing
+  // Rounding may leave −10⁻¹⁵ of nothing, and the pushes that pass a hit on may give the two that
+  // hit more than it took.
+  const double lost = std::max(0.0, pushLoss(group.contacts, group.unkicked, group.weights) +
+                                        dragLoss(group.contacts, group.unkicked, group.weights));
+  const double lostInHit =
+      std::clamp(pushLoss({group.contacts.data(), 1}, group.unkicked, group.weights), 0.0, lost);
+  loseQuietly(s, lost - lostInHit, 0);
+  loseQuietly(s, group.stopUnsolved(), 0);
   if (group.contacts.front().push > 0) logHit(group, s, lostInHit, landing);
   moveSpread(group, s);
 }

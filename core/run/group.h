@@ -16,7 +16,8 @@ enum Surface { kFloor = -1, kCeiling = -2, kWest = -3, kEast = -4, kRopeEnd = -5
 constexpr double kTouchingGap = 1e-9;
 
 /// Weights that lean on each other are kept this far apart [m]: what a bounded number of sweeps
-/// leaves unsolved in a stretch is less, so that they do not overlap.
+/// leaves unsolved in a stretch is less, so that they do not overlap. In large heaps it leaves
+/// more, and they are kept further apart: Engine::skin().
 constexpr double kSkin = 4e-6;
 
 /// What pushes a weight of a group.
@@ -65,6 +66,12 @@ class Engine::Group {
   /// Looks for its contacts further away, when it has become faster.
   void lookFurther(int local);
 
+  /// Stops members that their velocities would lead deep into each other within the stretch, and
+  /// turns away those that would then run into them: what no number of sweeps solves, such as
+  /// 10⁹ kg that drive 10⁻⁶ kg into a corner at 10⁵ m/s, shall not end in an overlap.
+  /// @return  the kinetic energy that takes [J]
+  double stopUnsolved();
+
   /// Notes what pushes the members: the floor counts where nothing else does and no rope ties.
   void findSupport();
 
@@ -78,8 +85,11 @@ class Engine::Group {
 
  private:
   double reachAt(double speed) const;
+  double excessAt(int contact) const;
+  double kineticEnergy() const;
   void lookAt(int local, int other);
   void addSurfacesOf(int local);
+  double widened(double gap) const;
   void addContact(const RestingContact& contact, int key);
   void link(const RestingContact& contact, int key);
   bool hasContact(int local, int key) const;
@@ -88,6 +98,7 @@ class Engine::Group {
   double m_s;
   double m_duration;
   bool m_widens;
+  int m_hit = -1;  // the contact whose gap says how fast the two shall part; −1: none
   std::vector<int> m_firstContact;                // of members; −1: none
   std::vector<std::array<int, 2>> m_nextContact;  // of contacts: the next one of a and of b
   std::vector<double> m_reach;  // of members: how far their contacts were looked for [m]

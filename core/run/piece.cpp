@@ -20,8 +20,11 @@ Entries Piece::at(double s) const {
   if (straight) return beginState + elapsed * beginSlope;
   if (polynomial) return polynomial->at(elapsed);
   const double u = elapsed / duration;
-  return beginState + u * u * (3 - 2 * u) * (endState - beginState) +
-         elapsed * (1 - u) * ((1 - u) * beginSlope - u * endSlope);
+  Entries state = beginState + u * u * (3 - 2 * u) * (endState - beginState) +
+                  elapsed * (1 - u) * ((1 - u) * beginSlope - u * endSlope);
+  // What air took is never given back, but the cubic of a step far too large swings below it.
+  state[4] = std::max(beginState[4], std::min(state[4], endState[4]));
+  return state;
 }
 
 Entries Piece::rateAt(double s) const {

@@ -8,6 +8,7 @@
 #include "core/run/run.h"
 #include "core/scene/scene_limits.h"
 #include "tests/support/processor_time.h"
+#include "tests/support/run_watch.h"
 
 namespace tests {
 namespace {
@@ -33,40 +34,6 @@ class Choices {
 };
 
 constexpr double kLongest = 60;  // [s] of processor time
-
-/// How far the discs reach into walls at most [m].
-double farthestOutside(const core::Run& run) {
-  const core::Scene& scene = run.scene();
-  const Eigen::Vector2d room(scene.room.width, scene.room.height);
-  double farthest = 0;
-  for (int i = 0; i < run.weightCount(); ++i) {
-    const Eigen::Vector2d place = run.weight(i).position;
-    farthest =
-        std::max(farthest, scene.weights[i].radius - place.cwiseMin(room - place).minCoeff());
-  }
-  return farthest;
-}
-
-/// How far discs reach into each other at most, as a share of the radii.
-double deepestOverlap(const core::Run& run) {
-  const std::vector<Weight>& weights = run.scene().weights;
-  double deepest = 0;
-  for (int i = 0; i < run.weightCount(); ++i)
-    for (int j = 0; j < i; ++j) {
-      const double distance = (run.weight(i).position - run.weight(j).position).norm();
-      deepest = std::max(deepest, 1 - distance / (weights[i].radius + weights[j].radius));
-    }
-  return deepest;
-}
-
-bool isFinite(const core::Run& run) {
-  for (int i = 0; i < run.weightCount(); ++i) {
-    const core::WeightState state = run.weight(i);
-    if (!state.position.allFinite() || !state.velocity.allFinite()) return false;
-  }
-  const core::Energies energies = run.energies();
-  return std::isfinite(energies.mechanical()) && std::isfinite(energies.numericalDrift);
-}
 
 }  // namespace
 
@@ -120,11 +87,11 @@ std::string faultAtCorner(int corner, const core::Solver& solver, int steps) {
   for (int i = 0; i < steps && run.advance() == core::RunStatus::kRunning; ++i)
     if (processorTime() - start > kLongest) return "takes too long";
   if (!isFinite(run)) return "numbers that are not finite";
+  const Bounds bounds = Bounds::extreme(scene->room);
   const double outside = farthestOutside(run);
-  if (outside > 1e-6 + 1e-11 * scene->room.width)
-    return core::numberText(outside) + " m outside the room";
-  const double overlap = deepestOverlap(run);
-  if (overlap > 0.01) return "an overlap of " + core::numberText(overlap) + " of the radii";
+  if (outside > bounds.outside) return core::numberText(outside) + " m outside the room";
+  const double overlap = deepestOverlap(run, bounds);
+  if (overlap > 0) return core::numberText(overlap) + " m of overlap too much";
   return {};
 }
 

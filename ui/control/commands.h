@@ -78,6 +78,10 @@ enum class Command {
   kChartReset,
   kCopyChart,
   kCopyChartData,
+  kSheet,
+  kGuide,
+  kModel,
+  kTour,
   kKeys,
   kAbout,
 };

@@ -10,6 +10,7 @@
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
 #include "ui/files/draft_file.h"
+#include "ui/files/file_lock.h"
 
 namespace ui {
 namespace {
@@ -59,7 +60,7 @@ void Recovery::offerAgain() {
 bool Recovery::take(const QString& file) {
   auto lock = std::make_unique<QLockFile>(DraftKeeper::lockOf(file));
   lock->setStaleLockTime(0);
-  if (!lock->tryLock(0)) return false;
+  if (!lockNow(*lock)) return false;
   std::optional<KeptDraft> kept = readDraftFile(file);
   if (!kept) return false;
   m_file = file;

@@ -19,6 +19,10 @@ class Settings {
  public:
   Settings();
 
+  /// Why something is not remembered, in words; empty where all is well. A damaged file is told
+  /// of once, when it is first read: what is written next mends it.
+  QString trouble() const;
+
   PainterChoice painter() const;
   void setPainter(PainterChoice choice);
 

@@ -366,9 +366,7 @@ void CutWindow::saveChart(const QString& file) {
 
 void CutWindow::saveTable(const QString& file) {
   const std::string table = sweepTable(*m_result, ',', QStringLiteral(".")).toStdString();
-  OutputFile output;
-  output.open(file) && output.write(table) && output.finish();
-  sayIfNotExported(this, file, output.error());
+  sayIfNotExported(this, file, writeWhole(file, table));
 }
 
 void CutWindow::copyChart() const {
