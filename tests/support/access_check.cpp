@@ -156,6 +156,11 @@ QList<QWidget*> tabChainOf(QWidget& window) {
     if (!now || chain.contains(now)) break;
     chain << now;
   }
+  // It goes on from where the keyboard was last; what comes first is the window's affair.
+  const QWidget* first = &window;
+  while (!chain.isEmpty() && !chain.contains(first)) first = first->nextInFocusChain();
+  const auto start = std::ranges::find(chain, first);
+  std::rotate(chain.begin(), start, chain.end());
   return chain;
 }
 
@@ -186,9 +191,23 @@ QStringList backwardStepsOfTab(QWidget& window) {
   return backward;
 }
 
+namespace {
+
+/// A table without rows has no place that the keyboard could be at; and a button of a dialog that
+/// Return presses from anywhere looks as if it had the keyboard at all times.
+bool showsNoFocus(const QWidget* widget) {
+  const auto* view = qobject_cast<const QAbstractItemView*>(widget);
+  const bool isEmpty = view && (!view->model() || view->model()->rowCount() == 0);
+  const auto* button = qobject_cast<const QPushButton*>(widget);
+  return isEmpty || (button && button->autoDefault());
+}
+
+}  // namespace
+
 QStringList focusNotSeenIn(QWidget& window) {
   QStringList unseen;
   for (QWidget* widget : tabChainOf(window)) {
+    if (showsNoFocus(widget)) continue;
     widget->setFocus(Qt::TabFocusReason);
     const QImage with = widget->grab().toImage();
     widget->clearFocus();
