@@ -51,6 +51,7 @@ class AccessibilityWindowTest : public QObject {
   void namesAndExplainsEverythingInTheWindow();
   void namesAndExplainsEverythingInOtherWindows();
   void namesAndExplainsEverythingInDialogs();
+  void tellsScreenReadersWhatHappens();
   void comesEverywhereWithTab();
   void showsWhereTheKeyboardIs();
 
@@ -142,6 +143,20 @@ void AccessibilityWindowTest::namesAndExplainsEverythingInDialogs() {
   ui::askChartSize(m_window.get(), {160, 100});
   QCOMPARE(seen, 2);
   QVERIFY2(nameless.isEmpty(), listed(nameless));
+}
+
+void AccessibilityWindowTest::tellsScreenReadersWhatHappens() {
+  // As a screen reader asks for it, and is told that it has changed.
+  auto* view = m_window->findChild<ui::SceneArea*>()->views().front();
+  const auto heard = [view] {
+    return QAccessible::queryAccessibleInterface(view)->text(QAccessible::Value);
+  };
+  m_window->selection()->select(2);
+  QTRY_VERIFY2(heard().startsWith("Weight 3 selected"), qPrintable(heard()));
+  m_window->commands().action(Command::kCut)->trigger();
+  QTRY_VERIFY2(heard().contains("cut", Qt::CaseInsensitive), qPrintable(heard()));
+  m_window->commands().action(Command::kNextImpact)->trigger();
+  QTRY_VERIFY2(heard().contains("mpact"), qPrintable(heard()));
 }
 
 void AccessibilityWindowTest::comesEverywhereWithTab() {

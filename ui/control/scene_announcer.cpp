@@ -27,19 +27,30 @@ SceneAnnouncer::SceneAnnouncer(const RunController* controller, const EventNavig
 
 void SceneAnnouncer::beginAnew() {
   m_counts.clear();
+  m_heardUntil = m_controller->time();
   // What happens at the very start belongs to what comes.
-  m_heardUntil = m_controller->time() > 0 ? m_controller->time() : -1;
+  m_heardCount = m_heardUntil > 0 ? countUntil(m_heardUntil) : 0;
 }
 
-/// Going back is silent: what was heard may be heard again.
-void SceneAnnouncer::followTime(double time) {
+std::size_t SceneAnnouncer::countUntil(double time) const {
   const auto events = m_events->log().events();
-  const auto first = std::ranges::upper_bound(events, m_heardUntil, {}, &core::Event::time);
-  for (auto event = first; event < events.end() && event->time <= time; ++event) {
-    ++m_counts[event->kind];
-    m_latest = *event;
+  const auto later = std::ranges::upper_bound(events, time, {}, &core::Event::time);
+  return m_events->log().forgotten() + static_cast<std::size_t>(later - events.begin());
+}
+
+/// Counted, since a cut happens at a moment that is shown already. Going back is silent: what was
+/// heard may be heard again.
+void SceneAnnouncer::followTime(double time) {
+  const std::size_t until = countUntil(time);
+  const std::size_t forgotten = m_events->log().forgotten();
+  if (time >= m_heardUntil) {
+    for (std::size_t i = std::max(m_heardCount, forgotten); i < until; ++i) {
+      m_latest = m_events->log().events()[i - forgotten];
+      ++m_counts[m_latest.kind];
+    }
   }
   m_heardUntil = time;
+  m_heardCount = until;
   if (!m_counts.empty()) speakSoon();
 }
 

@@ -36,6 +36,7 @@ class SceneAnnouncer : public QObject {
 
  private:
   void beginAnew();
+  std::size_t countUntil(double time) const;
   void followTime(double time);
   void followSelection(int weight);
   void speakSoon();
@@ -44,8 +45,9 @@ class SceneAnnouncer : public QObject {
 
   const RunController* m_controller;
   const EventNavigator* m_events;
-  double m_heardUntil = 0;  // events up to here are old [s]
-  QString m_selected;       // to say; empty: nothing
+  double m_heardUntil = 0;       // [s]
+  std::size_t m_heardCount = 0;  // events up to there, forgotten ones too
+  QString m_selected;            // to say; empty: nothing
   std::map<core::EventKind, int> m_counts;
   core::Event m_latest;
   QTimer m_pause;

@@ -43,11 +43,23 @@ TaskRow::TaskRow(BackgroundTask* task, const QString& start, QWidget* parent)
 void TaskRow::add(const QString& name, QWidget* control) {
   if (!name.isEmpty()) m_layout->insertWidget(m_layout->indexOf(m_button), new QLabel(name));
   m_layout->insertWidget(m_layout->indexOf(m_button), control);
-  QWidget::setTabOrder(control, m_button);
 }
 
 void TaskRow::addLast(QWidget* control) {
   m_layout->addWidget(control);
+}
+
+/// The button was there first, but stands among the others.
+void TaskRow::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  QWidget* last = nullptr;
+  for (int i = 0; i < m_layout->count(); ++i) {
+    QWidget* control = m_layout->itemAt(i)->widget();
+    if (!control || qobject_cast<QLabel*>(control) || control == m_progress) continue;
+    if (control->focusProxy()) control = control->focusProxy();
+    if (last) setTabOrder(last, control);
+    last = control;
+  }
 }
 
 void TaskRow::press() {
