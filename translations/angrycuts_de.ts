@@ -2,6 +2,618 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Verzeichnis</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Laufwerk</translation>
+    </message>
+    <message>
+        <source>Alias</source>
+        <translation>Alias</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Symbolischer Link</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>&amp;Inkrementieren</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>&amp;Dekrementieren</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Suchen in:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Verzeichnis:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Datei&amp;name:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Dateien des Typs:</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Verzeichnis suchen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Übergeordnetes Verzeichnis</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Gehe zum übergeordneten Verzeichnis</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Neuen Ordner erstellen</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Neuen Ordner erstellen</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Neues Verzeichnis</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Neues Verzeichnis</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Wechsle zu Listenansicht</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Wechsle zu Detailansicht</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Seitenleiste</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Liste der Orte und Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Verzeichnisse</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Zuletzt besucht</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>S&amp;peichern</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Anzeigen </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>&amp;Versteckte Dateien anzeigen</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>Die Datei %1 existiert bereits.
+Soll sie überschrieben werden?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>&apos;%1&apos; ist schreibgeschützt.
+Möchten Sie die Datei trotzdem löschen?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>Sind Sie sicher, dass Sie &apos;%1&apos; löschen möchten?</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>Das Verzeichnis konnte nicht gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Die Datei konnte nicht gefunden werden.
+Stellen Sie sicher, dass der Dateiname richtig ist.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Das Verzeichnis konnte nicht gefunden werden.
+Stellen Sie sicher, dass der Verzeichnisname richtig ist.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Änderungsdatum</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Computer</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Mein Computer</translation>
+    </message>
+</context>
+<context>
+    <name>QGnomeTheme</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>S&amp;peichern</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Schl&amp;ießen</translation>
+    </message>
+    <message>
+        <source>Close without Saving</source>
+        <translation>Schließen ohne zu Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Wieder&amp;herstellen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Einf&amp;ügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Details einblenden...</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Details ausblenden...</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Ja, &amp;alle</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nein</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>N&amp;ein, keine</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Alles speichern</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorieren</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Hierher scrollen</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Linker Rand</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Rechter Rand</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>Eine Seite nach links</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>Eine Seite nach oben</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>Eine Seite nach rechts</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>Eine Seite nach unten</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Nach links scrollen</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Nach oben scrollen</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Nach rechts scrollen</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Nach unten scrollen</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Herunter</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild aufwärts</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild abwärts</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Bild aufwärts</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Bild abwärts</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backtab</source>
+        <translation>Rück-Tab</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Return</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Media Play</source>
+        <translation>Wiedergabe</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Nach links scrollen</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Nach rechts scrollen</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Wieder&amp;herstellen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>&amp;Link-Adresse kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Einf&amp;ügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -300,6 +912,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>the window cannot be opened: %1</source>
         <translation>das Fenster kann nicht geöffnet werden: %1</translation>
     </message>
+    <message>
+        <source>no display answers (%1)</source>
+        <translation>kein Bildschirm antwortet (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::AccuracyPanel</name>
@@ -367,6 +983,22 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>accuracy</source>
         <translation>genauigkeit</translation>
     </message>
+    <message>
+        <source>How long each run is followed, in s; errors are compared at its end</source>
+        <translation>Wie lange jeder Lauf verfolgt wird, in s; am Ende werden die Fehler verglichen</translation>
+    </message>
+    <message>
+        <source>Cost is counted in slope evaluations, which the time of computing goes with</source>
+        <translation>Der Aufwand zählt in Steigungsberechnungen, denen die Rechenzeit folgt</translation>
+    </message>
+    <message>
+        <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
+        <translation>Größter Abstand vom wahren Ort, der zugelassen wird, in m: Welches Verfahren erreicht ihn mit dem kleinsten Aufwand?</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Das Diagramm als Bild oder seine Zahlen als Tabelle speichern</translation>
+    </message>
 </context>
 <context>
     <name>ui::BuiltInScenes</name>
@@ -378,12 +1010,8 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
 <context>
     <name>ui::ChartFile</name>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>%1 kann nicht geschrieben werden: %2</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: a chart&apos;s file ends in .png, .svg or .pdf</source>
-        <translation>%1 kann nicht geschrieben werden: Eine Diagrammdatei endet auf .png, .svg oder .pdf</translation>
+        <source>a chart&apos;s file ends in .png, .svg or .pdf</source>
+        <translation>die Datei eines Diagramms endet auf .png, .svg oder .pdf</translation>
     </message>
 </context>
 <context>
@@ -504,6 +1132,30 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>&amp;Height</source>
         <translation>&amp;Höhe</translation>
     </message>
+    <message>
+        <source>Sizes that are often wanted</source>
+        <translation>Größen, die oft gebraucht werden</translation>
+    </message>
+    <message>
+        <source>Width of the chart on paper, in mm</source>
+        <translation>Breite des Diagramms auf Papier, in mm</translation>
+    </message>
+    <message>
+        <source>Height of the chart on paper, in mm</source>
+        <translation>Höhe des Diagramms auf Papier, in mm</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>Zweck</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
 </context>
 <context>
     <name>ui::ChartTable</name>
@@ -518,6 +1170,13 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ChartWidget</name>
+    <message>
+        <source>A click goes to a moment. Wheel, plus and minus zoom, dragging a box does, too; Alt and the arrow keys move the chart, 0 shows all of it.</source>
+        <translation>Ein Klick geht zu einem Zeitpunkt. Rad, Plus und Minus vergrößern, ein gezogener Rahmen auch; Alt und die Pfeiltasten verschieben das Diagramm, 0 zeigt alles.</translation>
     </message>
 </context>
 <context>
@@ -561,6 +1220,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>All runs</source>
         <translation>Alle Läufe</translation>
+    </message>
+    <message>
+        <source>What the chart shows against what</source>
+        <translation>Was das Diagramm gegen was zeigt</translation>
     </message>
 </context>
 <context>
@@ -1145,6 +1808,42 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
+    <message>
+        <source>&amp;Teacher&apos;s sheet</source>
+        <translation>&amp;Lehrerblatt</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
+        <translation>Ziel, Schritte, Fragen und erwartete Zahlen dieser Lektion, zum Ausdrucken</translation>
+    </message>
+    <message>
+        <source>Quick &amp;guide</source>
+        <translation>Kurz&amp;anleitung</translation>
+    </message>
+    <message>
+        <source>Explain the window in a few pages</source>
+        <translation>Das Fenster auf wenigen Seiten erklären</translation>
+    </message>
+    <message>
+        <source>The &amp;model</source>
+        <translation>Das &amp;Modell</translation>
+    </message>
+    <message>
+        <source>Show the equations that are computed, and why</source>
+        <translation>Die Gleichungen zeigen, die berechnet werden, und warum</translation>
+    </message>
+    <message>
+        <source>T&amp;our of the window</source>
+        <translation>&amp;Rundgang durch das Fenster</translation>
+    </message>
+    <message>
+        <source>Point out the five most important parts of the window</source>
+        <translation>Die fünf wichtigsten Teile des Fensters zeigen</translation>
+    </message>
 </context>
 <context>
     <name>ui::ComparisonPanel</name>
@@ -1173,14 +1872,6 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <translation>Steigungen</translation>
     </message>
     <message>
-        <source>Largest distance between the same weight in both runs, now</source>
-        <translation>Größter Abstand zwischen demselben Gewicht in beiden Läufen, jetzt</translation>
-    </message>
-    <message>
-        <source>Energy the method got wrong so far</source>
-        <translation>Energie, um die das Verfahren bisher falsch liegt</translation>
-    </message>
-    <message>
         <source>The same as a share of the energy at the start</source>
         <translation>Dasselbe als Anteil der Energie beim Start</translation>
     </message>
@@ -1195,6 +1886,22 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Distance from %1</source>
         <translation>Abstand von %1</translation>
+    </message>
+    <message>
+        <source>Largest distance between the same weight in both runs, now: max |p − p&apos;|, in m</source>
+        <translation>Größter Abstand desselben Gewichts in beiden Läufen, jetzt: max |p − p&apos;|, in m</translation>
+    </message>
+    <message>
+        <source>Energy the method got wrong so far, in J: kinetic + potential + losses − energy at the start</source>
+        <translation>Energie, die das Verfahren bisher verfälscht hat, in J: kinetische + potentielle + Verluste − Energie am Anfang</translation>
+    </message>
+    <message>
+        <source>Method and step of the run</source>
+        <translation>Verfahren und Schritt des Laufs</translation>
+    </message>
+    <message>
+        <source>How far the runs are apart, and what each got wrong, at the moment shown</source>
+        <translation>Wie weit die Läufe auseinander sind und was jeder verfälscht hat, zum gezeigten Zeitpunkt</translation>
     </message>
 </context>
 <context>
@@ -1281,6 +1988,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>after %1 s</source>
         <translation>nach %1 s</translation>
+    </message>
+    <message>
+        <source>A click cuts the ropes at that moment; moments that hit are listed in the table beside it.</source>
+        <translation>Ein Klick schneidet die Seile zu diesem Zeitpunkt; Zeitpunkte, die treffen, stehen in der Tabelle daneben.</translation>
     </message>
 </context>
 <context>
@@ -1424,6 +2135,26 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>when-to-cut</source>
         <translation>schnittzeiten</translation>
     </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Wo die Mitte des Ziels liegt, x in m von der linken Wand</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Wie breit das Ziel ist, in m</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>Der früheste Zeitpunkt zum Schneiden, in s</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>Der späteste Zeitpunkt zum Schneiden, in s</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Das Diagramm als Bild oder seine Zahlen als Tabelle speichern</translation>
+    </message>
 </context>
 <context>
     <name>ui::DraftKeeper</name>
@@ -1525,10 +2256,6 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
 <context>
     <name>ui::EventTable</name>
     <message>
-        <source>Of the weight; where two meet, of the first named</source>
-        <translation>Des Gewichts; wo zwei sich treffen, des zuerst genannten</translation>
-    </message>
-    <message>
         <source>Time (s)</source>
         <translation>Zeit (s)</translation>
     </message>
@@ -1551,6 +2278,30 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Energy lost (J)</source>
         <translation>Verlust (J)</translation>
+    </message>
+    <message>
+        <source>When it happened, t in s</source>
+        <translation>Wann es geschah, t in s</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>The weights it happened to, counted from the left</source>
+        <translation>Die Gewichte, denen es geschah, von links gezählt</translation>
+    </message>
+    <message>
+        <source>Speed |v| right before, in m/s. Of the weight; where two meet, of the first named</source>
+        <translation>Tempo |v| unmittelbar davor, in m/s. Des Gewichts; wo zwei sich treffen, des zuerst genannten</translation>
+    </message>
+    <message>
+        <source>Speed |v| right after, in m/s. Of the weight; where two meet, of the first named</source>
+        <translation>Tempo |v| unmittelbar danach, in m/s. Des Gewichts; wo zwei sich treffen, des zuerst genannten</translation>
+    </message>
+    <message>
+        <source>Kinetic energy turned into heat by the event, in J. Between two weights ½ (1 − e²) μ v², with the speed v towards each other and 1/μ = 1/m₁ + 1/m₂</source>
+        <translation>Kinetische Energie, die das Ereignis in Wärme verwandelt, in J. Zwischen zwei Gewichten ½ (1 − e²) μ v², mit dem Tempo v aufeinander zu und 1/μ = 1/m₁ + 1/m₂</translation>
     </message>
 </context>
 <context>
@@ -1670,6 +2421,14 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>Events copied as CSV: %1</source>
         <translation>Ereignisse als CSV kopiert: %1</translation>
     </message>
+    <message>
+        <source>What happened in the run; choosing an event shows its moment</source>
+        <translation>Was im Lauf geschah; ein Ereignis zu wählen zeigt seinen Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Kinds of events that are listed</source>
+        <translation>Arten von Ereignissen, die aufgeführt werden</translation>
+    </message>
 </context>
 <context>
     <name>ui::Exports</name>
@@ -1758,6 +2517,65 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>&lt;h3&gt;Angry Cuts %1&lt;/h3&gt;&lt;p&gt;Weights hang on ropes and swing; the ropes are cut; the weights fly, bounce and come to rest. Two numerical methods compute the same scene side by side, and an energy ledger shows what each of them gets wrong.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Angry Cuts %1&lt;/h3&gt;&lt;p&gt;Gewichte hängen an Seilen und schwingen; die Seile werden durchgeschnitten; die Gewichte fliegen, prallen ab und kommen zur Ruhe. Zwei numerische Verfahren berechnen dieselbe Szene nebeneinander, und eine Energiebilanz zeigt, was jedes von ihnen falsch macht.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Quick guide</source>
+        <translation>Kurzanleitung</translation>
+    </message>
+    <message>
+        <source>The model</source>
+        <translation>Das Modell</translation>
+    </message>
+    <message>
+        <source>Teacher&apos;s sheets</source>
+        <translation>Lehrerblätter</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Kapitel</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>Als PDF &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Printed %1</source>
+        <translation>%1 gedruckt</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Als PDF speichern</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -2077,6 +2895,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Hide</source>
         <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
     </message>
 </context>
 <context>
@@ -2491,120 +3313,12 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
 <context>
     <name>ui::MainWindow</name>
     <message>
-        <source>Unsaved changes cannot be kept for a crash: %1</source>
-        <translation>Ungespeicherte Änderungen können nicht für einen Absturz gesichert werden: %1</translation>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
     </message>
     <message>
-        <source>Bring them back</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Undo the change</source>
-        <translation>Änderung rückgängig machen</translation>
-    </message>
-    <message>
-        <source>Lesson</source>
-        <translation>Lektion</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Szene</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Gewichte</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Läufe</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Diagramme</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
-        <source>Inside a step</source>
-        <translation>Einzelschritt</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Ereignisse</translation>
-    </message>
-    <message>
-        <source>Weights table</source>
-        <translation>Gewichtetabelle</translation>
-    </message>
-    <message>
-        <source>&amp;Colors</source>
-        <translation>&amp;Farben</translation>
-    </message>
-    <message>
-        <source>Like the &amp;desktop</source>
-        <translation>Wie der &amp;Desktop</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Hell</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>Dun&amp;kel</translation>
-    </message>
-    <message>
-        <source>Te&amp;xt size</source>
-        <translation>Te&amp;xtgröße</translation>
-    </message>
-    <message>
-        <source>&amp;Normal</source>
-        <translation>&amp;Normal</translation>
-    </message>
-    <message>
-        <source>&amp;Large</source>
-        <translation>&amp;Groß</translation>
-    </message>
-    <message>
-        <source>&amp;Very large</source>
-        <translation>&amp;Sehr groß</translation>
-    </message>
-    <message>
-        <source>&amp;Drawn by</source>
-        <translation>Gezei&amp;chnet mit</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic choice</source>
-        <translation>&amp;Automatisch</translation>
-    </message>
-    <message>
-        <source>&amp;OpenGL</source>
-        <translation>&amp;OpenGL</translation>
-    </message>
-    <message>
-        <source>&amp;QPainter</source>
-        <translation>&amp;QPainter</translation>
-    </message>
-    <message>
-        <source>Not applied: %1</source>
-        <translation>Nicht angewandt: %1</translation>
-    </message>
-    <message>
-        <source>%1[*] – Angry Cuts</source>
-        <translation>%1[*] – Angry Cuts</translation>
-    </message>
-    <message>
-        <source>New scene</source>
-        <translation>Neue Szene</translation>
-    </message>
-    <message>
-        <source>Drawn by %1</source>
-        <translation>Gezeichnet mit %1</translation>
+        <source>Which of the panels that share this place is shown</source>
+        <translation>Welcher der Bereiche an dieser Stelle gezeigt wird</translation>
     </message>
 </context>
 <context>
@@ -2729,6 +3443,14 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Speed %1</source>
         <translation>Ablauf %1</translation>
+    </message>
+    <message>
+        <source>Simulated seconds in a second of real time</source>
+        <translation>Simulierte Sekunden in einer wirklichen Sekunde</translation>
+    </message>
+    <message>
+        <source>Simulated time t, in s: the moment that all views show</source>
+        <translation>Simulierte Zeit t, in s: der Zeitpunkt, den alle Ansichten zeigen</translation>
     </message>
 </context>
 <context>
@@ -2972,6 +3694,43 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>change of the method</source>
         <translation>Änderung des Verfahrens</translation>
     </message>
+    <message>
+        <source>How the run gets from one moment to the next. The error of a method of order p shrinks with the step h like h to the power of p.</source>
+        <translation>Wie der Lauf von einem Zeitpunkt zum nächsten kommt. Der Fehler eines Verfahrens der Ordnung p schrumpft mit dem Schritt h wie h hoch p.</translation>
+    </message>
+    <message>
+        <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
+        <translation>Schritt h in s: wie viel simulierte Zeit das Verfahren auf einmal nimmt. Kleinere Schritte sind genauer und kosten mehr.</translation>
+    </message>
+    <message>
+        <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
+        <translation>Toleranz, ohne Einheit: der Fehler, den sich das Verfahren in einem Schritt erlaubt, in m, m/s, rad und rad/s. Danach wählt es seine Schritte.</translation>
+    </message>
+    <message>
+        <source>Compute the scene with this method, too</source>
+        <translation>Die Szene auch mit diesem Verfahren berechnen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneAnnouncer</name>
+    <message>
+        <source>No weight selected</source>
+        <translation>Kein Gewicht gewählt</translation>
+    </message>
+    <message>
+        <source>Weight %1 selected</source>
+        <translation>Gewicht %1 gewählt</translation>
+    </message>
+    <message>
+        <source>%1: weight %2, at %3 s</source>
+        <comment>an event, such as: Impact on the floor</comment>
+        <translation>%1: Gewicht %2, bei %3 s</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>an event and how many there are</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneCommands</name>
@@ -3012,6 +3771,18 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>larger than 64 MiB</source>
         <translation>größer als 64 MiB</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>not UTF-8 but UTF-16; save it as UTF-8</source>
+        <translation>nicht UTF-8, sondern UTF-16; als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>it is no file but a pipe or a device</source>
+        <translation>das ist keine Datei, sondern eine Pipe oder ein Gerät</translation>
     </message>
 </context>
 <context>
@@ -3139,6 +3910,53 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>change of the cut</source>
         <translation>Änderung des Schnitts</translation>
     </message>
+    <message>
+        <source>How many weights there are, hung up at even intervals. New ones are like the last one.</source>
+        <translation>Wie viele Gewichte es gibt, in gleichen Abständen aufgehängt. Neue sind wie das letzte.</translation>
+    </message>
+    <message>
+        <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
+        <translation>Fallbeschleunigung g, in m/s². Sie zieht jedes Gewicht mit der Kraft m g nach unten. Auf der Erde 9,81 m/s².</translation>
+    </message>
+    <message>
+        <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
+        <translation>Dichte der Luft ρ, in kg/m³. Der Luftwiderstand ist F = ½ ρ c_d A v² gegen die Geschwindigkeit, mit A = π r². 1,2 kg/m³ auf Meereshöhe, 0 für Vakuum.</translation>
+    </message>
+    <message>
+        <source>Distance between the walls, in m.</source>
+        <translation>Abstand der Wände, in m.</translation>
+    </message>
+    <message>
+        <source>Distance between floor and ceiling, in m.</source>
+        <translation>Abstand von Boden und Decke, in m.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Anteil e des Tempos auf eine Wand, den Boden oder die Decke zu, mit dem ein Gewicht sie verlässt: 1 verliert nichts, 0 prallt nicht ab.</translation>
+    </message>
+    <message>
+        <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
+        <translation>Reibungszahl μ von Wänden, Boden und Decke. Die Reibung ist höchstens μ mal die Kraft oder der Kraftstoß, die das Gewicht andrücken.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Anteil e des Tempos aufeinander zu, mit dem sich zwei Gewichte nach einem Stoß trennen: 1 verliert nichts, 0 prallt nicht ab.</translation>
+    </message>
+    <message>
+        <source>Simulated time in s at which all ropes are cut.</source>
+        <translation>Simulierte Zeit in s, zu der alle Seile geschnitten werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneLoading</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneMarker</name>
@@ -3158,12 +3976,8 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <translation>Szene</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: kann nicht geschrieben werden: %2</translation>
-    </message>
-    <message>
-        <source>%1: a picture&apos;s name must end in .png, .svg or .pdf</source>
-        <translation>%1: Der Name eines Bildes muss auf .png, .svg oder .pdf enden</translation>
+        <source>a picture&apos;s name must end in .png, .svg or .pdf</source>
+        <translation>der Name eines Bildes muss auf .png, .svg oder .pdf enden</translation>
     </message>
 </context>
 <context>
@@ -3302,6 +4116,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
+    <message>
+        <source>The room with its weights and ropes. A click selects a weight, the wheel zooms, dragging moves the view.</source>
+        <translation>Der Raum mit seinen Gewichten und Seilen. Ein Klick wählt ein Gewicht, das Rad vergrößert, Ziehen verschiebt die Ansicht.</translation>
+    </message>
 </context>
 <context>
     <name>ui::SeparationChart</name>
@@ -3324,6 +4142,21 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+    <message>
+        <source>Largest distance between the same weight in both runs, in m, on a logarithmic axis</source>
+        <translation>Größter Abstand desselben Gewichts in beiden Läufen, in m, auf logarithmischer Achse</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Settings</name>
+    <message>
+        <source>The settings in %1 were damaged; what could not be read is as at first.</source>
+        <translation>Die Einstellungen in %1 waren beschädigt; was nicht zu lesen war, ist wie am Anfang.</translation>
+    </message>
+    <message>
+        <source>Settings are not remembered: nothing can be written to %1</source>
+        <translation>Einstellungen werden nicht gemerkt: nach %1 kann nichts geschrieben werden</translation>
     </message>
 </context>
 <context>
@@ -3379,6 +4212,18 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Export stability map</source>
         <translation>Stabilitätskarte exportieren</translation>
+    </message>
+    <message>
+        <source>For which steps the run keeps its energy, and for which it grows beyond all bounds</source>
+        <translation>Für welche Schritte der Lauf seine Energie behält und für welche er über alle Grenzen wächst</translation>
+    </message>
+    <message>
+        <source>How long each run is followed, in s: what grows slowly needs time to show</source>
+        <translation>Wie lange jeder Lauf verfolgt wird, in s: was langsam wächst, braucht Zeit, um sich zu zeigen</translation>
+    </message>
+    <message>
+        <source>Save the map as a picture</source>
+        <translation>Die Karte als Bild speichern</translation>
     </message>
 </context>
 <context>
@@ -3493,6 +4338,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>s</source>
         <translation>s</translation>
     </message>
+    <message>
+        <source>The exact way, the slopes that the method took, and its end</source>
+        <translation>Der exakte Weg, die Steigungen des Verfahrens und sein Ende</translation>
+    </message>
 </context>
 <context>
     <name>ui::StepTable</name>
@@ -3535,6 +4384,22 @@ Steigung in %3</translation>
 in m</source>
         <translation>Fehler
 in m</translation>
+    </message>
+    <message>
+        <source>The slopes that the method took on its way, and where other methods end</source>
+        <translation>Die Steigungen, die das Verfahren unterwegs nahm, und wo andere Verfahren enden</translation>
+    </message>
+    <message>
+        <source>Share of the slope in the mean that the step is taken with</source>
+        <translation>Anteil der Steigung am Mittel, mit dem der Schritt gemacht wird</translation>
+    </message>
+    <message>
+        <source>%1 at the start and the end, and as a slope how fast it changes</source>
+        <translation>%1 am Anfang und am Ende, und als Steigung, wie schnell es sich ändert</translation>
+    </message>
+    <message>
+        <source>Distance of the end from the exact one, in m: the error of this step alone</source>
+        <translation>Abstand des Endes vom exakten, in m: der Fehler dieses Schritts allein</translation>
     </message>
 </context>
 <context>
@@ -3598,6 +4463,10 @@ in m</translation>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
+    <message>
+        <source>Compute in the background; the same button stops it</source>
+        <translation>Im Hintergrund rechnen; derselbe Knopf bricht ab</translation>
+    </message>
 </context>
 <context>
     <name>ui::TimeCommands</name>
@@ -3628,6 +4497,77 @@ in m</translation>
         <source>%1 s: %2, weight: %3</source>
         <translation>%1 s: %2, Gewicht: %3</translation>
     </message>
+    <message>
+        <source>The recording from its start to its end, with marks for events. A click or dragging shows another moment; Home, End and the arrow keys do, too.</source>
+        <translation>Die Aufzeichnung vom Anfang bis zum Ende, mit Marken für Ereignisse. Ein Klick oder Ziehen zeigt einen anderen Zeitpunkt; Pos1, Ende und die Pfeiltasten auch.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>Die Szene</translation>
+    </message>
+    <message>
+        <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
+        <translation>Gewichte an Seilen. Gefüllte folgen dem ersten Verfahren, Ringe den anderen. Am Anfang dreht Ziehen an einem Gewicht sein Seil; das Rad vergrößert.</translation>
+    </message>
+    <message>
+        <source>Play and cut</source>
+        <translation>Abspielen und schneiden</translation>
+    </message>
+    <message>
+        <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
+        <translation>Die Leertaste spielt ab und hält an. C schneidet alle Seile, R geht an den Anfang. In Zeitlupe dauert ein Stoß Sekunden.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
+        <translation>Die Pfeiltasten → und ← gehen einen Schritt, I geht zum nächsten Stoß. Ziehen auf dieser Linie zeigt jeden Zeitpunkt wieder.</translation>
+    </message>
+    <message>
+        <source>Where the energy goes</source>
+        <translation>Wohin die Energie geht</translation>
+    </message>
+    <message>
+        <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
+        <translation>Die Summe sollte eine waagerechte Linie sein. Was sie steigt oder fällt, hat das Verfahren erzeugt oder verloren, nicht die Natur.</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Verfahren nebeneinander</translation>
+    </message>
+    <message>
+        <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
+        <translation>Bis zu vier Verfahren berechnen dieselbe Szene. Hier werden sie und ihre Schritte gewählt, und man sieht, wer recht hat. Unter Lektionen, oben rechts, gibt es Szenen für den Anfang.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Anfangen</translation>
+    </message>
 </context>
 <context>
     <name>ui::TradeWindow</name>
@@ -3642,6 +4582,14 @@ in m</translation>
     <message>
         <source>%1 is run %2 now.</source>
         <translation>%1 ist jetzt Lauf %2.</translation>
+    </message>
+    <message>
+        <source>What is measured</source>
+        <translation>Was gemessen wird</translation>
+    </message>
+    <message>
+        <source>What accuracy costs, or how large steps may be</source>
+        <translation>Was Genauigkeit kostet oder wie groß Schritte sein dürfen</translation>
     </message>
 </context>
 <context>
@@ -3918,6 +4866,30 @@ in m</translation>
         <source>rod</source>
         <translation>Stange</translation>
     </message>
+    <message>
+        <source>Color of the weight, such as #e69f00, or automatic</source>
+        <translation>Farbe des Gewichts, etwa #e69f00, oder automatisch</translation>
+    </message>
+    <message>
+        <source>What holds the weight at the start: a rope, a rod, or nothing</source>
+        <translation>Was das Gewicht am Anfang hält: ein Seil, ein Stab oder nichts</translation>
+    </message>
+    <message>
+        <source>Where the rope is tied: x from the left wall, y from the floor, in m</source>
+        <translation>Wo das Seil befestigt ist: x von der linken Wand, y vom Boden, in m</translation>
+    </message>
+    <message>
+        <source>Angular velocity ω at the start, in °/s, positive counterclockwise</source>
+        <translation>Winkelgeschwindigkeit ω am Anfang, in °/s, positiv gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Center of the weight at the start: x from the left wall, y from the floor, in m</source>
+        <translation>Mitte des Gewichts am Anfang: x von der linken Wand, y vom Boden, in m</translation>
+    </message>
+    <message>
+        <source>Velocity v at the start: x to the right, y up, in m/s</source>
+        <translation>Geschwindigkeit v am Anfang: x nach rechts, y nach oben, in m/s</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -4050,6 +5022,30 @@ in m</translation>
         <source>All weights in a table…</source>
         <translation>Alle Gewichte in einer Tabelle…</translation>
     </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Länge des Seils L, in m: vom Aufhängepunkt bis zur Mitte des Gewichts. Eine kleine Schwingung dauert T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Winkel θ des Seils am Anfang, in Grad von senkrecht nach unten, positiv nach rechts.</translation>
+    </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masse m, in kg. Ohne Luft ist sie für eine Schwingung gleichgültig; mit Luft wird ein schwereres Gewicht weniger gebremst.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radius r, in m. Die Luft trifft auf die Fläche A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Widerstandsbeiwert c_d, ohne Einheit: wie sehr die Form von Luft gebremst wird. 0,47 für eine Kugel.</translation>
+    </message>
+    <message>
+        <source>Change many weights at once, and copy them from and to spreadsheets</source>
+        <translation>Viele Gewichte auf einmal ändern und von und nach Tabellenkalkulationen kopieren</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightsModel</name>
@@ -4167,6 +5163,136 @@ in m</translation>
     <message>
         <source>filling down</source>
         <translation>Füllen nach unten</translation>
+    </message>
+    <message>
+        <source>One row for each weight. Return edits a cell, of all selected rows at once.</source>
+        <translation>Eine Zeile für jedes Gewicht. Die Eingabetaste ändert eine Zelle, in allen gewählten Zeilen auf einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowFace</name>
+    <message>
+        <source>Bring them back</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Undo the change</source>
+        <translation>Änderung rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for a crash: %1</source>
+        <translation>Ungespeicherte Änderungen können nicht für einen Absturz gesichert werden: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Colors</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>Like the &amp;desktop</source>
+        <translation>Wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>Dun&amp;kel</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Te&amp;xtgröße</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normal</translation>
+    </message>
+    <message>
+        <source>&amp;Large</source>
+        <translation>&amp;Groß</translation>
+    </message>
+    <message>
+        <source>&amp;Very large</source>
+        <translation>&amp;Sehr groß</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn by</source>
+        <translation>Gezei&amp;chnet mit</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic choice</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;QPainter</source>
+        <translation>&amp;QPainter</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Sp&amp;rache</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>Nicht angewandt: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Angry Cuts</source>
+        <translation>%1[*] – Angry Cuts</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Neue Szene</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Gezeichnet mit %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPanels</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Inside a step</source>
+        <translation>Einzelschritt</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Weights table</source>
+        <translation>Gewichtetabelle</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,618 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES">
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Alias</source>
+        <translation>Alias</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Acceso directo</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Desconocido</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Seleccionar todo</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>&amp;Aumentar</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>Re&amp;ducir</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Ver en:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Directorio:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>&amp;Nombre de fichero:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Ficheros de tipo:</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Buscar directorio</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Ir atrás</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Ir hacia delante</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Directorio superior</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>r al directorio superior</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Crear nueva carpeta</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Crear una nueva carpeta</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Nueva carpeta</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Nueva carpeta</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Vista de lista</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Cambiar el modo de vista de la lista</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Vista detallada</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Cambiar a modo de vista detallada</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Barra lateral</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Lista de lugares y marcadores</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Directorios</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Lugares recientes</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Abrir</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Guardar como</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Seleccionar</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Cambia&amp;r de nombre</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Borrar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Mostrar </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>Mostrar los fic&amp;heros ocultos</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Todos los ficheros (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>El fichero %1 ya existe.
+¿Desea reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>«%1» está protegido contra escritura.
+¿Desea borrarlo de todas formas?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>¿Está seguro de que quiere borrar «%1»?</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>No fue posible borrar el directorio.</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Fichero no encontrado.
+Verifique que el nombre del fichero es correcto.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Directorio no encontrado.
+Verifique que el nombre del directorio es correcto.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Última modificación</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Mi Equipo</translation>
+    </message>
+</context>
+<context>
+    <name>QGnomeTheme</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;Aceptar</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Cerrar</translation>
+    </message>
+    <message>
+        <source>Close without Saving</source>
+        <translation>Cerrar sin guardar</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Cor&amp;tar</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Pegar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Seleccionar todo</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Mostrar los detalles...</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Ocultar los detalles...</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Sí</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Sí a &amp;todo</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;No</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>N&amp;o a todo</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Guardar todo</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Interrumpir</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Reintentar</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reinicializar</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Restaurar los valores predeterminados</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Desplazar hasta aquí</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Borde izquierdo</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Parte superior</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Borde derecho</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Parte inferior</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>Una página a la izquierda</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>Una página hacia arriba</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>Una página a la derecha</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>Una página hacia abajo</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Desplazar hacia la izquierda</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Desplazar hacia arriba</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Desplazar hacia la derecha</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Desplazar hacia abajo</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Control</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Mayúsculas</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Abajo</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Re Pág</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Av Pág</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Retroceder página</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Avanzar página</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Insertar</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insertar</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suprimir</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabulador</translation>
+    </message>
+    <message>
+        <source>Backtab</source>
+        <translation>Tabulador hacia atrás</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Retorno</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Media Play</source>
+        <translation>Reproducir el medio</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Desplazar hacia la izquierda</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Desplazar hacia la derecha</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Cor&amp;tar</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>Copiar la ubicación del en&amp;lace</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Pegar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Seleccionar todo</translation>
+    </message>
+</context>
+<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -301,6 +913,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>the window cannot be opened: %1</source>
         <translation>no se puede abrir la ventana: %1</translation>
     </message>
+    <message>
+        <source>no display answers (%1)</source>
+        <translation>ninguna pantalla responde (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::AccuracyPanel</name>
@@ -368,6 +984,22 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>accuracy</source>
         <translation>precision</translation>
     </message>
+    <message>
+        <source>How long each run is followed, in s; errors are compared at its end</source>
+        <translation>Cuánto se sigue cada simulación, en s; los errores se comparan al final</translation>
+    </message>
+    <message>
+        <source>Cost is counted in slope evaluations, which the time of computing goes with</source>
+        <translation>El coste se cuenta en evaluaciones de pendiente, que sigue el tiempo de cálculo</translation>
+    </message>
+    <message>
+        <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
+        <translation>Mayor distancia aceptada al lugar verdadero, en m: ¿qué método la alcanza al menor coste?</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Guardar el gráfico como imagen o sus cifras como tabla</translation>
+    </message>
 </context>
 <context>
     <name>ui::BuiltInScenes</name>
@@ -379,12 +1011,8 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
 <context>
     <name>ui::ChartFile</name>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>No se puede escribir %1: %2</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: a chart&apos;s file ends in .png, .svg or .pdf</source>
-        <translation>No se puede escribir %1: el archivo de un gráfico termina en .png, .svg o .pdf</translation>
+        <source>a chart&apos;s file ends in .png, .svg or .pdf</source>
+        <translation>el archivo de un gráfico termina en .png, .svg o .pdf</translation>
     </message>
 </context>
 <context>
@@ -505,6 +1133,30 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>&amp;Height</source>
         <translation>A&amp;lto</translation>
     </message>
+    <message>
+        <source>Sizes that are often wanted</source>
+        <translation>Tamaños que se usan a menudo</translation>
+    </message>
+    <message>
+        <source>Width of the chart on paper, in mm</source>
+        <translation>Ancho del gráfico en papel, en mm</translation>
+    </message>
+    <message>
+        <source>Height of the chart on paper, in mm</source>
+        <translation>Alto del gráfico en papel, en mm</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>Uso</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Alto</translation>
+    </message>
 </context>
 <context>
     <name>ui::ChartTable</name>
@@ -519,6 +1171,13 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ChartWidget</name>
+    <message>
+        <source>A click goes to a moment. Wheel, plus and minus zoom, dragging a box does, too; Alt and the arrow keys move the chart, 0 shows all of it.</source>
+        <translation>Un clic va a un instante. La rueda, más y menos amplían, un recuadro también; Alt y las flechas mueven el gráfico, 0 lo muestra entero.</translation>
     </message>
 </context>
 <context>
@@ -562,6 +1221,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>All runs</source>
         <translation>Todas</translation>
+    </message>
+    <message>
+        <source>What the chart shows against what</source>
+        <translation>Qué muestra el gráfico frente a qué</translation>
     </message>
 </context>
 <context>
@@ -1146,6 +1809,42 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>Pause</source>
         <translation>Pausa</translation>
     </message>
+    <message>
+        <source>&amp;Teacher&apos;s sheet</source>
+        <translation>Hoja del &amp;profesor</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Hoja</translation>
+    </message>
+    <message>
+        <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
+        <translation>Objetivo, pasos, preguntas y cifras esperadas de esta lección, para imprimir</translation>
+    </message>
+    <message>
+        <source>Quick &amp;guide</source>
+        <translation>&amp;Guía rápida</translation>
+    </message>
+    <message>
+        <source>Explain the window in a few pages</source>
+        <translation>Explicar la ventana en pocas páginas</translation>
+    </message>
+    <message>
+        <source>The &amp;model</source>
+        <translation>El &amp;modelo</translation>
+    </message>
+    <message>
+        <source>Show the equations that are computed, and why</source>
+        <translation>Mostrar las ecuaciones que se calculan, y por qué</translation>
+    </message>
+    <message>
+        <source>T&amp;our of the window</source>
+        <translation>&amp;Recorrido por la ventana</translation>
+    </message>
+    <message>
+        <source>Point out the five most important parts of the window</source>
+        <translation>Señalar las cinco partes más importantes de la ventana</translation>
+    </message>
 </context>
 <context>
     <name>ui::ComparisonPanel</name>
@@ -1174,14 +1873,6 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <translation>Pendientes</translation>
     </message>
     <message>
-        <source>Largest distance between the same weight in both runs, now</source>
-        <translation>Mayor distancia actual entre una misma pesa de las dos simulaciones</translation>
-    </message>
-    <message>
-        <source>Energy the method got wrong so far</source>
-        <translation>Error de energía del método hasta ahora</translation>
-    </message>
-    <message>
         <source>The same as a share of the energy at the start</source>
         <translation>Lo mismo, como parte de la energía inicial</translation>
     </message>
@@ -1196,6 +1887,22 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Distance from %1</source>
         <translation>Distancia a %1</translation>
+    </message>
+    <message>
+        <source>Largest distance between the same weight in both runs, now: max |p − p&apos;|, in m</source>
+        <translation>Mayor distancia entre la misma pesa de ambas simulaciones, ahora: max |p − p&apos;|, en m</translation>
+    </message>
+    <message>
+        <source>Energy the method got wrong so far, in J: kinetic + potential + losses − energy at the start</source>
+        <translation>Energía que el método ha falseado hasta ahora, en J: cinética + potencial + pérdidas − energía al inicio</translation>
+    </message>
+    <message>
+        <source>Method and step of the run</source>
+        <translation>Método y paso de la simulación</translation>
+    </message>
+    <message>
+        <source>How far the runs are apart, and what each got wrong, at the moment shown</source>
+        <translation>Cuánto se separan las simulaciones y qué falseó cada una, en el instante mostrado</translation>
     </message>
 </context>
 <context>
@@ -1282,6 +1989,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>after %1 s</source>
         <translation>tras %1 s</translation>
+    </message>
+    <message>
+        <source>A click cuts the ropes at that moment; moments that hit are listed in the table beside it.</source>
+        <translation>Un clic corta las cuerdas en ese instante; los instantes que aciertan están en la tabla de al lado.</translation>
     </message>
 </context>
 <context>
@@ -1425,6 +2136,26 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>when-to-cut</source>
         <translation>cuando-cortar</translation>
     </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Dónde está el centro de la diana, x en m desde la pared izquierda</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Ancho de la diana, en m</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>El primer instante para cortar, en s</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>El último instante para cortar, en s</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Guardar el gráfico como imagen o sus cifras como tabla</translation>
+    </message>
 </context>
 <context>
     <name>ui::DraftKeeper</name>
@@ -1526,10 +2257,6 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
 <context>
     <name>ui::EventTable</name>
     <message>
-        <source>Of the weight; where two meet, of the first named</source>
-        <translation>De la pesa; si chocan dos, de la primera nombrada</translation>
-    </message>
-    <message>
         <source>Time (s)</source>
         <translation>Tiempo (s)</translation>
     </message>
@@ -1552,6 +2279,30 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Energy lost (J)</source>
         <translation>Pérdida (J)</translation>
+    </message>
+    <message>
+        <source>When it happened, t in s</source>
+        <translation>Cuándo ocurrió, t en s</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Qué ocurrió</translation>
+    </message>
+    <message>
+        <source>The weights it happened to, counted from the left</source>
+        <translation>Las pesas a las que les ocurrió, contadas desde la izquierda</translation>
+    </message>
+    <message>
+        <source>Speed |v| right before, in m/s. Of the weight; where two meet, of the first named</source>
+        <translation>Rapidez |v| justo antes, en m/s. De la pesa; donde se encuentran dos, de la primera nombrada</translation>
+    </message>
+    <message>
+        <source>Speed |v| right after, in m/s. Of the weight; where two meet, of the first named</source>
+        <translation>Rapidez |v| justo después, en m/s. De la pesa; donde se encuentran dos, de la primera nombrada</translation>
+    </message>
+    <message>
+        <source>Kinetic energy turned into heat by the event, in J. Between two weights ½ (1 − e²) μ v², with the speed v towards each other and 1/μ = 1/m₁ + 1/m₂</source>
+        <translation>Energía cinética que el evento convierte en calor, en J. Entre dos pesas ½ (1 − e²) μ v², con la rapidez v de la una hacia la otra y 1/μ = 1/m₁ + 1/m₂</translation>
     </message>
 </context>
 <context>
@@ -1671,6 +2422,14 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>Events copied as CSV: %1</source>
         <translation>Eventos copiados como CSV: %1</translation>
     </message>
+    <message>
+        <source>What happened in the run; choosing an event shows its moment</source>
+        <translation>Qué ocurrió en la simulación; al elegir un evento se muestra su instante</translation>
+    </message>
+    <message>
+        <source>Kinds of events that are listed</source>
+        <translation>Clases de eventos que se listan</translation>
+    </message>
 </context>
 <context>
     <name>ui::Exports</name>
@@ -1759,6 +2518,65 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>&lt;h3&gt;Angry Cuts %1&lt;/h3&gt;&lt;p&gt;Weights hang on ropes and swing; the ropes are cut; the weights fly, bounce and come to rest. Two numerical methods compute the same scene side by side, and an energy ledger shows what each of them gets wrong.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Angry Cuts %1&lt;/h3&gt;&lt;p&gt;Unas pesas cuelgan de cuerdas y oscilan; se cortan las cuerdas; las pesas vuelan, rebotan y quedan en reposo. Dos métodos numéricos calculan la misma escena en paralelo, y un balance de energía muestra en qué se equivoca cada uno.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Quick guide</source>
+        <translation>Guía rápida</translation>
+    </message>
+    <message>
+        <source>The model</source>
+        <translation>El modelo</translation>
+    </message>
+    <message>
+        <source>Teacher&apos;s sheets</source>
+        <translation>Hojas del profesor</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Capítulos</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Contenido</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimir…</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Guardar como PDF…</translation>
+    </message>
+    <message>
+        <source>Printed %1</source>
+        <translation>%1 impreso</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Guardar como PDF</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>Documento PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 guardado</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>No guardado</translation>
     </message>
 </context>
 <context>
@@ -2078,6 +2896,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Hide</source>
         <translation>Ocultar</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Hoja</translation>
     </message>
 </context>
 <context>
@@ -2492,120 +3314,12 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
 <context>
     <name>ui::MainWindow</name>
     <message>
-        <source>Unsaved changes cannot be kept for a crash: %1</source>
-        <translation>Los cambios sin guardar no pueden protegerse de un fallo: %1</translation>
+        <source>Panels</source>
+        <translation>Paneles</translation>
     </message>
     <message>
-        <source>Bring them back</source>
-        <translation>Recuperarlos</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>Undo the change</source>
-        <translation>Deshacer el cambio</translation>
-    </message>
-    <message>
-        <source>Lesson</source>
-        <translation>Lección</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Escena</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Pesas</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Simulaciones</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Gráficos</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Comparación</translation>
-    </message>
-    <message>
-        <source>Inside a step</source>
-        <translation>Dentro de un paso</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Eventos</translation>
-    </message>
-    <message>
-        <source>Weights table</source>
-        <translation>Tabla de pesas</translation>
-    </message>
-    <message>
-        <source>&amp;Colors</source>
-        <translation>&amp;Colores</translation>
-    </message>
-    <message>
-        <source>Like the &amp;desktop</source>
-        <translation>Como el &amp;escritorio</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Claro</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>&amp;Oscuro</translation>
-    </message>
-    <message>
-        <source>Te&amp;xt size</source>
-        <translation>Tamaño del te&amp;xto</translation>
-    </message>
-    <message>
-        <source>&amp;Normal</source>
-        <translation>&amp;Normal</translation>
-    </message>
-    <message>
-        <source>&amp;Large</source>
-        <translation>&amp;Grande</translation>
-    </message>
-    <message>
-        <source>&amp;Very large</source>
-        <translation>&amp;Muy grande</translation>
-    </message>
-    <message>
-        <source>&amp;Drawn by</source>
-        <translation>Di&amp;bujado por</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic choice</source>
-        <translation>Elección &amp;automática</translation>
-    </message>
-    <message>
-        <source>&amp;OpenGL</source>
-        <translation>&amp;OpenGL</translation>
-    </message>
-    <message>
-        <source>&amp;QPainter</source>
-        <translation>&amp;QPainter</translation>
-    </message>
-    <message>
-        <source>Not applied: %1</source>
-        <translation>No aplicado: %1</translation>
-    </message>
-    <message>
-        <source>%1[*] – Angry Cuts</source>
-        <translation>%1[*] – Angry Cuts</translation>
-    </message>
-    <message>
-        <source>New scene</source>
-        <translation>Escena nueva</translation>
-    </message>
-    <message>
-        <source>Drawn by %1</source>
-        <translation>Dibujado por %1</translation>
+        <source>Which of the panels that share this place is shown</source>
+        <translation>Cuál de los paneles que comparten este lugar se muestra</translation>
     </message>
 </context>
 <context>
@@ -2730,6 +3444,14 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Speed %1</source>
         <translation>Velocidad %1</translation>
+    </message>
+    <message>
+        <source>Simulated seconds in a second of real time</source>
+        <translation>Segundos simulados en un segundo real</translation>
+    </message>
+    <message>
+        <source>Simulated time t, in s: the moment that all views show</source>
+        <translation>Tiempo simulado t, en s: el instante que muestran todas las vistas</translation>
     </message>
 </context>
 <context>
@@ -2973,6 +3695,43 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>change of the method</source>
         <translation>cambio del método</translation>
     </message>
+    <message>
+        <source>How the run gets from one moment to the next. The error of a method of order p shrinks with the step h like h to the power of p.</source>
+        <translation>Cómo pasa la simulación de un instante al siguiente. El error de un método de orden p disminuye con el paso h como h elevado a p.</translation>
+    </message>
+    <message>
+        <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
+        <translation>Paso h en s: cuánto tiempo simulado avanza el método de una vez. Los pasos menores son más exactos y cuestan más.</translation>
+    </message>
+    <message>
+        <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
+        <translation>Tolerancia, sin unidad: el error que el método se permite en un paso, en m, m/s, rad y rad/s. Elige sus pasos según ella.</translation>
+    </message>
+    <message>
+        <source>Compute the scene with this method, too</source>
+        <translation>Calcular la escena también con este método</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneAnnouncer</name>
+    <message>
+        <source>No weight selected</source>
+        <translation>Ninguna pesa elegida</translation>
+    </message>
+    <message>
+        <source>Weight %1 selected</source>
+        <translation>Pesa %1 elegida</translation>
+    </message>
+    <message>
+        <source>%1: weight %2, at %3 s</source>
+        <comment>an event, such as: Impact on the floor</comment>
+        <translation>%1: pesa %2, a los %3 s</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>an event and how many there are</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneCommands</name>
@@ -3013,6 +3772,18 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>larger than 64 MiB</source>
         <translation>más de 64 MiB</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+    <message>
+        <source>not UTF-8 but UTF-16; save it as UTF-8</source>
+        <translation>no es UTF-8 sino UTF-16; guárdelo como UTF-8</translation>
+    </message>
+    <message>
+        <source>it is no file but a pipe or a device</source>
+        <translation>no es un archivo sino una tubería o un dispositivo</translation>
     </message>
 </context>
 <context>
@@ -3140,6 +3911,53 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>change of the cut</source>
         <translation>cambio del corte</translation>
     </message>
+    <message>
+        <source>How many weights there are, hung up at even intervals. New ones are like the last one.</source>
+        <translation>Cuántas pesas hay, colgadas a intervalos iguales. Las nuevas son como la última.</translation>
+    </message>
+    <message>
+        <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
+        <translation>Aceleración de la gravedad g, en m/s². Tira de cada pesa hacia abajo con la fuerza m g. En la Tierra 9,81 m/s².</translation>
+    </message>
+    <message>
+        <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
+        <translation>Densidad del aire ρ, en kg/m³. El arrastre es F = ½ ρ c_d A v² contra la velocidad, con A = π r². 1,2 kg/m³ al nivel del mar, 0 para el vacío.</translation>
+    </message>
+    <message>
+        <source>Distance between the walls, in m.</source>
+        <translation>Distancia entre las paredes, en m.</translation>
+    </message>
+    <message>
+        <source>Distance between floor and ceiling, in m.</source>
+        <translation>Distancia entre el suelo y el techo, en m.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Parte e de la rapidez hacia una pared, el suelo o el techo con la que una pesa sale: 1 no pierde nada, 0 no rebota.</translation>
+    </message>
+    <message>
+        <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
+        <translation>Coeficiente de rozamiento μ de paredes, suelo y techo. El rozamiento es como mucho μ veces la fuerza, o el impulso, que aprieta la pesa contra ellos.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Parte e de la rapidez de acercamiento con la que dos pesas se separan tras un choque: 1 no pierde nada, 0 no rebota.</translation>
+    </message>
+    <message>
+        <source>Simulated time in s at which all ropes are cut.</source>
+        <translation>Tiempo simulado en s en el que se cortan todas las cuerdas.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneLoading</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Abriendo %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneMarker</name>
@@ -3159,12 +3977,8 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <translation>Escena</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: no se puede escribir: %2</translation>
-    </message>
-    <message>
-        <source>%1: a picture&apos;s name must end in .png, .svg or .pdf</source>
-        <translation>%1: el nombre de una imagen debe terminar en .png, .svg o .pdf</translation>
+        <source>a picture&apos;s name must end in .png, .svg or .pdf</source>
+        <translation>el nombre de una imagen debe terminar en .png, .svg o .pdf</translation>
     </message>
 </context>
 <context>
@@ -3303,6 +4117,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>Target</source>
         <translation>Diana</translation>
     </message>
+    <message>
+        <source>The room with its weights and ropes. A click selects a weight, the wheel zooms, dragging moves the view.</source>
+        <translation>La sala con sus pesas y cuerdas. Un clic elige una pesa, la rueda amplía, arrastrar mueve la vista.</translation>
+    </message>
 </context>
 <context>
     <name>ui::SeparationChart</name>
@@ -3325,6 +4143,21 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+    <message>
+        <source>Largest distance between the same weight in both runs, in m, on a logarithmic axis</source>
+        <translation>Mayor distancia entre la misma pesa de ambas simulaciones, en m, en un eje logarítmico</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Settings</name>
+    <message>
+        <source>The settings in %1 were damaged; what could not be read is as at first.</source>
+        <translation>Los ajustes de %1 estaban dañados; lo que no se pudo leer está como al principio.</translation>
+    </message>
+    <message>
+        <source>Settings are not remembered: nothing can be written to %1</source>
+        <translation>Los ajustes no se recuerdan: no se puede escribir nada en %1</translation>
     </message>
 </context>
 <context>
@@ -3380,6 +4213,18 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Export stability map</source>
         <translation>Exportar mapa de estabilidad</translation>
+    </message>
+    <message>
+        <source>For which steps the run keeps its energy, and for which it grows beyond all bounds</source>
+        <translation>Para qué pasos la simulación conserva su energía, y para cuáles crece sin límite</translation>
+    </message>
+    <message>
+        <source>How long each run is followed, in s: what grows slowly needs time to show</source>
+        <translation>Cuánto se sigue cada simulación, en s: lo que crece despacio necesita tiempo para verse</translation>
+    </message>
+    <message>
+        <source>Save the map as a picture</source>
+        <translation>Guardar el mapa como imagen</translation>
     </message>
 </context>
 <context>
@@ -3494,6 +4339,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>s</source>
         <translation>s</translation>
     </message>
+    <message>
+        <source>The exact way, the slopes that the method took, and its end</source>
+        <translation>El camino exacto, las pendientes que tomó el método y su final</translation>
+    </message>
 </context>
 <context>
     <name>ui::StepTable</name>
@@ -3536,6 +4385,22 @@ pendiente en %3</translation>
 in m</source>
         <translation>Error
 en m</translation>
+    </message>
+    <message>
+        <source>The slopes that the method took on its way, and where other methods end</source>
+        <translation>Las pendientes que tomó el método en su camino, y dónde terminan otros métodos</translation>
+    </message>
+    <message>
+        <source>Share of the slope in the mean that the step is taken with</source>
+        <translation>Parte de la pendiente en la media con la que se da el paso</translation>
+    </message>
+    <message>
+        <source>%1 at the start and the end, and as a slope how fast it changes</source>
+        <translation>%1 al principio y al final, y como pendiente lo rápido que cambia</translation>
+    </message>
+    <message>
+        <source>Distance of the end from the exact one, in m: the error of this step alone</source>
+        <translation>Distancia del final al exacto, en m: el error de este paso solo</translation>
     </message>
 </context>
 <context>
@@ -3599,6 +4464,10 @@ en m</translation>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
+    <message>
+        <source>Compute in the background; the same button stops it</source>
+        <translation>Calcular en segundo plano; el mismo botón lo detiene</translation>
+    </message>
 </context>
 <context>
     <name>ui::TimeCommands</name>
@@ -3629,6 +4498,77 @@ en m</translation>
         <source>%1 s: %2, weight: %3</source>
         <translation>%1 s: %2, pesa: %3</translation>
     </message>
+    <message>
+        <source>The recording from its start to its end, with marks for events. A click or dragging shows another moment; Home, End and the arrow keys do, too.</source>
+        <translation>La grabación de principio a fin, con marcas para los eventos. Un clic o arrastrar muestra otro instante; Inicio, Fin y las flechas también.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>La escena</translation>
+    </message>
+    <message>
+        <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
+        <translation>Pesas en cuerdas. Las llenas siguen el primer método, los anillos los demás. Al inicio, arrastre una pesa para girar su cuerda; la rueda amplía.</translation>
+    </message>
+    <message>
+        <source>Play and cut</source>
+        <translation>Reproducir y cortar</translation>
+    </message>
+    <message>
+        <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
+        <translation>Espacio reproduce y detiene. C corta todas las cuerdas, R vuelve al inicio. A cámara lenta un choque dura segundos.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Paso a paso</translation>
+    </message>
+    <message>
+        <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
+        <translation>Las flechas → y ← avanzan un paso, I va al siguiente choque. Arrastre sobre esta línea para ver de nuevo cualquier instante.</translation>
+    </message>
+    <message>
+        <source>Where the energy goes</source>
+        <translation>Adónde va la energía</translation>
+    </message>
+    <message>
+        <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
+        <translation>El total debería ser una línea plana. Lo que sube o baja lo creó o perdió el método, no la naturaleza.</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Métodos lado a lado</translation>
+    </message>
+    <message>
+        <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
+        <translation>Hasta cuatro métodos calculan la misma escena. Elíjalos aquí con sus pasos y vea quién acierta. En Lecciones, arriba a la derecha, hay escenas para empezar.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Empezar</translation>
+    </message>
 </context>
 <context>
     <name>ui::TradeWindow</name>
@@ -3643,6 +4583,14 @@ en m</translation>
     <message>
         <source>%1 is run %2 now.</source>
         <translation>%1 es ahora la simulación %2.</translation>
+    </message>
+    <message>
+        <source>What is measured</source>
+        <translation>Qué se mide</translation>
+    </message>
+    <message>
+        <source>What accuracy costs, or how large steps may be</source>
+        <translation>Cuánto cuesta la exactitud, o lo grandes que pueden ser los pasos</translation>
     </message>
 </context>
 <context>
@@ -3919,6 +4867,30 @@ en m</translation>
         <source>rod</source>
         <translation>varilla</translation>
     </message>
+    <message>
+        <source>Color of the weight, such as #e69f00, or automatic</source>
+        <translation>Color de la pesa, por ejemplo #e69f00, o automático</translation>
+    </message>
+    <message>
+        <source>What holds the weight at the start: a rope, a rod, or nothing</source>
+        <translation>Qué sostiene la pesa al inicio: una cuerda, una varilla o nada</translation>
+    </message>
+    <message>
+        <source>Where the rope is tied: x from the left wall, y from the floor, in m</source>
+        <translation>Dónde está atada la cuerda: x desde la pared izquierda, y desde el suelo, en m</translation>
+    </message>
+    <message>
+        <source>Angular velocity ω at the start, in °/s, positive counterclockwise</source>
+        <translation>Velocidad angular ω al inicio, en °/s, positiva en sentido antihorario</translation>
+    </message>
+    <message>
+        <source>Center of the weight at the start: x from the left wall, y from the floor, in m</source>
+        <translation>Centro de la pesa al inicio: x desde la pared izquierda, y desde el suelo, en m</translation>
+    </message>
+    <message>
+        <source>Velocity v at the start: x to the right, y up, in m/s</source>
+        <translation>Velocidad v al inicio: x a la derecha, y hacia arriba, en m/s</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -4051,6 +5023,30 @@ en m</translation>
         <source>All weights in a table…</source>
         <translation>Todas las pesas en una tabla…</translation>
     </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Longitud de la cuerda L, en m: del punto de suspensión al centro de la pesa. Una oscilación pequeña dura T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Ángulo θ de la cuerda al inicio, en grados desde la vertical hacia abajo, positivo a la derecha.</translation>
+    </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masa m, en kg. Sin aire no importa para una oscilación; con aire, una pesa más pesada se frena menos.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radio r, en m. El aire encuentra el área A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Coeficiente de arrastre c_d, sin unidad: cuánto frena el aire a la forma. 0,47 para una esfera.</translation>
+    </message>
+    <message>
+        <source>Change many weights at once, and copy them from and to spreadsheets</source>
+        <translation>Cambiar muchas pesas a la vez, y copiarlas de y a hojas de cálculo</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightsModel</name>
@@ -4168,6 +5164,136 @@ en m</translation>
     <message>
         <source>filling down</source>
         <translation>relleno hacia abajo</translation>
+    </message>
+    <message>
+        <source>One row for each weight. Return edits a cell, of all selected rows at once.</source>
+        <translation>Una fila por pesa. Intro cambia una celda, en todas las filas elegidas a la vez.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowFace</name>
+    <message>
+        <source>Bring them back</source>
+        <translation>Recuperarlos</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Undo the change</source>
+        <translation>Deshacer el cambio</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for a crash: %1</source>
+        <translation>Los cambios sin guardar no pueden protegerse de un fallo: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Colors</source>
+        <translation>&amp;Colores</translation>
+    </message>
+    <message>
+        <source>Like the &amp;desktop</source>
+        <translation>Como el &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Tamaño del te&amp;xto</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normal</translation>
+    </message>
+    <message>
+        <source>&amp;Large</source>
+        <translation>&amp;Grande</translation>
+    </message>
+    <message>
+        <source>&amp;Very large</source>
+        <translation>&amp;Muy grande</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn by</source>
+        <translation>Di&amp;bujado por</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic choice</source>
+        <translation>Elección &amp;automática</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;QPainter</source>
+        <translation>&amp;QPainter</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>No aplicado: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Angry Cuts</source>
+        <translation>%1[*] – Angry Cuts</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Escena nueva</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Dibujado por %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPanels</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Pesas</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Simulaciones</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparación</translation>
+    </message>
+    <message>
+        <source>Inside a step</source>
+        <translation>Dentro de un paso</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Eventos</translation>
+    </message>
+    <message>
+        <source>Weights table</source>
+        <translation>Tabla de pesas</translation>
     </message>
 </context>
 <context>

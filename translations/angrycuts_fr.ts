@@ -2,6 +2,618 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR">
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Lecteur</translation>
+    </message>
+    <message>
+        <source>Alias</source>
+        <translation>Alias</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Inconnu</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>Tout &amp;sélectionner</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>&amp;Augmenter</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>&amp;Diminuer</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Voir dans :</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Dossier :</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>&amp;Nom de fichier :</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Fichiers de type :</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Chercher dans le dossier</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Aller à l&apos;élément précédent</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Va à l&apos;élément suivant</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Dossier parent</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Va au dossier parent</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Créer un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Crée un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Nouveau dossier</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Nouveau dossier</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Vue en liste</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Affiche la vue sous forme de liste</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Vue détaillée</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Affichage la vue sous forme détaillée</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Barre latérale</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Liste des emplacements et des favoris</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Dossiers</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Emplacements récents</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Enregistrer sous</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Choisir</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Renommer</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>Suppri&amp;mer</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Afficher </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>Afficher les fic&amp;hiers cachés</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>Le fichier %1 existe déjà
+Voulez-vous l&apos;écraser ?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>&quot;%1&quot; est protégé en écriture.
+Voulez-vous quand même le supprimer ?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>Êtes-vous sûr de vouloir supprimer &quot;%1&quot; ?</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>Impossible de supprimer le dossier.</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Fichier introuvable.
+Veuillez vérifier que le nom du fichier est correct.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Dossier introuvable.
+Veuillez vérifier que le nom du dossier est correct.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Dernière modification</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Ordinateur</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Poste de travail</translation>
+    </message>
+</context>
+<context>
+    <name>QGnomeTheme</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Close without Saving</source>
+        <translation>Fermer sans enregistrer</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Co&amp;uper</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>Cop&amp;ier</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Co&amp;ller</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Montrer les détails...</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Masquer les détails...</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Oui</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Oui à &amp;tout</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Non</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>Non à to&amp;ut</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Tout enregistrer</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Ne pas tenir compte</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Restaurer les valeurs par défaut</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Défiler jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Bord gauche</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Bord droit</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>Page précédente</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>Page précédente</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>Page suivante</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>Page suivante</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Défiler vers la gauche</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Défiler vers le haut</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Défiler vers la droite</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Défiler vers le bas</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page préc</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page suiv</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Page haut</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Page bas</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Échapement</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Inser</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insérer</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backtab</source>
+        <translation>Tab arr</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Effacement</translation>
+    </message>
+    <message>
+        <source>Media Play</source>
+        <translation>Média lecture</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Défiler vers la gauche</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Défiler vers la droite</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Co&amp;uper</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>Cop&amp;ier</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>Copier l&apos;adresse du &amp;lien</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Co&amp;ller</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+</context>
+<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -301,6 +913,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>the window cannot be opened: %1</source>
         <translation>la fenêtre ne peut pas s’ouvrir&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>no display answers (%1)</source>
+        <translation>aucun écran ne répond (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::AccuracyPanel</name>
@@ -368,6 +984,22 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>accuracy</source>
         <translation>precision</translation>
     </message>
+    <message>
+        <source>How long each run is followed, in s; errors are compared at its end</source>
+        <translation>Durée pendant laquelle chaque simulation est suivie, en s ; les erreurs sont comparées à la fin</translation>
+    </message>
+    <message>
+        <source>Cost is counted in slope evaluations, which the time of computing goes with</source>
+        <translation>Le coût se compte en évaluations de pente, que suit le temps de calcul</translation>
+    </message>
+    <message>
+        <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
+        <translation>Plus grande distance acceptée à la vraie position, en m : quelle méthode l’atteint au moindre coût ?</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Enregistrer le graphique comme image ou ses chiffres comme tableau</translation>
+    </message>
 </context>
 <context>
     <name>ui::BuiltInScenes</name>
@@ -379,12 +1011,8 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
 <context>
     <name>ui::ChartFile</name>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>Impossible d’écrire %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: a chart&apos;s file ends in .png, .svg or .pdf</source>
-        <translation>Impossible d’écrire %1&#xa0;: le fichier d’un graphique se termine par .png, .svg ou .pdf</translation>
+        <source>a chart&apos;s file ends in .png, .svg or .pdf</source>
+        <translation>le fichier d’un graphique se termine par .png, .svg ou .pdf</translation>
     </message>
 </context>
 <context>
@@ -505,6 +1133,30 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>&amp;Height</source>
         <translation>&amp;Hauteur</translation>
     </message>
+    <message>
+        <source>Sizes that are often wanted</source>
+        <translation>Tailles souvent demandées</translation>
+    </message>
+    <message>
+        <source>Width of the chart on paper, in mm</source>
+        <translation>Largeur du graphique sur papier, en mm</translation>
+    </message>
+    <message>
+        <source>Height of the chart on paper, in mm</source>
+        <translation>Hauteur du graphique sur papier, en mm</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>Usage</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
 </context>
 <context>
     <name>ui::ChartTable</name>
@@ -519,6 +1171,13 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ChartWidget</name>
+    <message>
+        <source>A click goes to a moment. Wheel, plus and minus zoom, dragging a box does, too; Alt and the arrow keys move the chart, 0 shows all of it.</source>
+        <translation>Un clic va à un instant. La molette, plus et moins agrandissent, un cadre tracé aussi ; Alt et les flèches déplacent le graphique, 0 le montre en entier.</translation>
     </message>
 </context>
 <context>
@@ -562,6 +1221,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>All runs</source>
         <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>What the chart shows against what</source>
+        <translation>Ce que le graphique montre en fonction de quoi</translation>
     </message>
 </context>
 <context>
@@ -1146,6 +1809,42 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
+    <message>
+        <source>&amp;Teacher&apos;s sheet</source>
+        <translation>Fiche du &amp;professeur</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Fiche</translation>
+    </message>
+    <message>
+        <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
+        <translation>But, étapes, questions et chiffres attendus de cette leçon, à imprimer</translation>
+    </message>
+    <message>
+        <source>Quick &amp;guide</source>
+        <translation>&amp;Guide rapide</translation>
+    </message>
+    <message>
+        <source>Explain the window in a few pages</source>
+        <translation>Expliquer la fenêtre en quelques pages</translation>
+    </message>
+    <message>
+        <source>The &amp;model</source>
+        <translation>Le &amp;modèle</translation>
+    </message>
+    <message>
+        <source>Show the equations that are computed, and why</source>
+        <translation>Montrer les équations calculées, et pourquoi</translation>
+    </message>
+    <message>
+        <source>T&amp;our of the window</source>
+        <translation>&amp;Visite de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Point out the five most important parts of the window</source>
+        <translation>Montrer les cinq parties les plus importantes de la fenêtre</translation>
+    </message>
 </context>
 <context>
     <name>ui::ComparisonPanel</name>
@@ -1174,14 +1873,6 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <translation>Pentes</translation>
     </message>
     <message>
-        <source>Largest distance between the same weight in both runs, now</source>
-        <translation>Plus grande distance actuelle entre une même bille des deux simulations</translation>
-    </message>
-    <message>
-        <source>Energy the method got wrong so far</source>
-        <translation>Erreur d’énergie commise par la méthode jusqu’ici</translation>
-    </message>
-    <message>
         <source>The same as a share of the energy at the start</source>
         <translation>La même, en part de l’énergie de départ</translation>
     </message>
@@ -1196,6 +1887,22 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Distance from %1</source>
         <translation>Distance à %1</translation>
+    </message>
+    <message>
+        <source>Largest distance between the same weight in both runs, now: max |p − p&apos;|, in m</source>
+        <translation>Plus grande distance entre la même bille des deux simulations, maintenant : max |p − p&apos;|, en m</translation>
+    </message>
+    <message>
+        <source>Energy the method got wrong so far, in J: kinetic + potential + losses − energy at the start</source>
+        <translation>Énergie que la méthode a faussée jusqu’ici, en J : cinétique + potentielle + pertes − énergie au départ</translation>
+    </message>
+    <message>
+        <source>Method and step of the run</source>
+        <translation>Méthode et pas de la simulation</translation>
+    </message>
+    <message>
+        <source>How far the runs are apart, and what each got wrong, at the moment shown</source>
+        <translation>Écart entre les simulations et erreur de chacune, à l’instant montré</translation>
     </message>
 </context>
 <context>
@@ -1282,6 +1989,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>after %1 s</source>
         <translation>après %1 s</translation>
+    </message>
+    <message>
+        <source>A click cuts the ropes at that moment; moments that hit are listed in the table beside it.</source>
+        <translation>Un clic coupe les cordes à cet instant ; les instants qui touchent la cible sont dans le tableau à côté.</translation>
     </message>
 </context>
 <context>
@@ -1425,6 +2136,26 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>when-to-cut</source>
         <translation>quand-couper</translation>
     </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Position du milieu de la cible, x en m depuis la paroi gauche</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Largeur de la cible, en m</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>Le premier instant de coupe, en s</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>Le dernier instant de coupe, en s</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Enregistrer le graphique comme image ou ses chiffres comme tableau</translation>
+    </message>
 </context>
 <context>
     <name>ui::DraftKeeper</name>
@@ -1526,10 +2257,6 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
 <context>
     <name>ui::EventTable</name>
     <message>
-        <source>Of the weight; where two meet, of the first named</source>
-        <translation>De la bille&#xa0;; si deux se rencontrent, de la première nommée</translation>
-    </message>
-    <message>
         <source>Time (s)</source>
         <translation>Temps (s)</translation>
     </message>
@@ -1552,6 +2279,30 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Energy lost (J)</source>
         <translation>Énergie perdue (J)</translation>
+    </message>
+    <message>
+        <source>When it happened, t in s</source>
+        <translation>Quand cela s’est passé, t en s</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Ce qui s’est passé</translation>
+    </message>
+    <message>
+        <source>The weights it happened to, counted from the left</source>
+        <translation>Les billes concernées, comptées depuis la gauche</translation>
+    </message>
+    <message>
+        <source>Speed |v| right before, in m/s. Of the weight; where two meet, of the first named</source>
+        <translation>Vitesse |v| juste avant, en m/s. Celle de la bille ; où deux se rencontrent, de la première nommée</translation>
+    </message>
+    <message>
+        <source>Speed |v| right after, in m/s. Of the weight; where two meet, of the first named</source>
+        <translation>Vitesse |v| juste après, en m/s. Celle de la bille ; où deux se rencontrent, de la première nommée</translation>
+    </message>
+    <message>
+        <source>Kinetic energy turned into heat by the event, in J. Between two weights ½ (1 − e²) μ v², with the speed v towards each other and 1/μ = 1/m₁ + 1/m₂</source>
+        <translation>Énergie cinétique que l’événement change en chaleur, en J. Entre deux billes ½ (1 − e²) μ v², avec la vitesse v de l’une vers l’autre et 1/μ = 1/m₁ + 1/m₂</translation>
     </message>
 </context>
 <context>
@@ -1671,6 +2422,14 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>Events copied as CSV: %1</source>
         <translation>Événements copiés en CSV&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>What happened in the run; choosing an event shows its moment</source>
+        <translation>Ce qui s’est passé dans la simulation ; choisir un événement montre son instant</translation>
+    </message>
+    <message>
+        <source>Kinds of events that are listed</source>
+        <translation>Genres d’événements affichés</translation>
+    </message>
 </context>
 <context>
     <name>ui::Exports</name>
@@ -1759,6 +2518,65 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>&lt;h3&gt;Angry Cuts %1&lt;/h3&gt;&lt;p&gt;Weights hang on ropes and swing; the ropes are cut; the weights fly, bounce and come to rest. Two numerical methods compute the same scene side by side, and an energy ledger shows what each of them gets wrong.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Angry Cuts %1&lt;/h3&gt;&lt;p&gt;Des billes accrochées à des cordes se balancent&#xa0;; on coupe les cordes&#xa0;; les billes volent, rebondissent et s’immobilisent. Deux méthodes numériques calculent la même scène côte à côte, et un bilan d’énergie montre ce que chacune calcule mal.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Quick guide</source>
+        <translation>Guide rapide</translation>
+    </message>
+    <message>
+        <source>The model</source>
+        <translation>Le modèle</translation>
+    </message>
+    <message>
+        <source>Teacher&apos;s sheets</source>
+        <translation>Fiches du professeur</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Chapitres</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimer…</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Enregistrer en PDF…</translation>
+    </message>
+    <message>
+        <source>Printed %1</source>
+        <translation>%1 imprimé</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Enregistrer en PDF</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>Document PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Non enregistré</translation>
     </message>
 </context>
 <context>
@@ -2078,6 +2896,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Hide</source>
         <translation>Masquer</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Fiche</translation>
     </message>
 </context>
 <context>
@@ -2492,120 +3314,12 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
 <context>
     <name>ui::MainWindow</name>
     <message>
-        <source>Unsaved changes cannot be kept for a crash: %1</source>
-        <translation>Les changements non enregistrés ne peuvent être mis à l’abri d’un plantage&#xa0;: %1</translation>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
     </message>
     <message>
-        <source>Bring them back</source>
-        <translation>Les récupérer</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Abandonner</translation>
-    </message>
-    <message>
-        <source>Undo the change</source>
-        <translation>Annuler le changement</translation>
-    </message>
-    <message>
-        <source>Lesson</source>
-        <translation>Leçon</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Scène</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Billes</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Simulations</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Graphiques</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Comparaison</translation>
-    </message>
-    <message>
-        <source>Inside a step</source>
-        <translation>Dans un pas</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Événements</translation>
-    </message>
-    <message>
-        <source>Weights table</source>
-        <translation>Tableau des billes</translation>
-    </message>
-    <message>
-        <source>&amp;Colors</source>
-        <translation>C&amp;ouleurs</translation>
-    </message>
-    <message>
-        <source>Like the &amp;desktop</source>
-        <translation>Comme le &amp;bureau</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Clair</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>&amp;Sombre</translation>
-    </message>
-    <message>
-        <source>Te&amp;xt size</source>
-        <translation>Taille du te&amp;xte</translation>
-    </message>
-    <message>
-        <source>&amp;Normal</source>
-        <translation>&amp;Normale</translation>
-    </message>
-    <message>
-        <source>&amp;Large</source>
-        <translation>&amp;Grande</translation>
-    </message>
-    <message>
-        <source>&amp;Very large</source>
-        <translation>&amp;Très grande</translation>
-    </message>
-    <message>
-        <source>&amp;Drawn by</source>
-        <translation>&amp;Dessiné par</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic choice</source>
-        <translation>Choix &amp;automatique</translation>
-    </message>
-    <message>
-        <source>&amp;OpenGL</source>
-        <translation>&amp;OpenGL</translation>
-    </message>
-    <message>
-        <source>&amp;QPainter</source>
-        <translation>&amp;QPainter</translation>
-    </message>
-    <message>
-        <source>Not applied: %1</source>
-        <translation>Non appliqué&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1[*] – Angry Cuts</source>
-        <translation>%1[*] – Angry Cuts</translation>
-    </message>
-    <message>
-        <source>New scene</source>
-        <translation>Nouvelle scène</translation>
-    </message>
-    <message>
-        <source>Drawn by %1</source>
-        <translation>Dessiné par %1</translation>
+        <source>Which of the panels that share this place is shown</source>
+        <translation>Lequel des panneaux qui partagent cette place est montré</translation>
     </message>
 </context>
 <context>
@@ -2730,6 +3444,14 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Speed %1</source>
         <translation>Vitesse %1</translation>
+    </message>
+    <message>
+        <source>Simulated seconds in a second of real time</source>
+        <translation>Secondes simulées en une seconde réelle</translation>
+    </message>
+    <message>
+        <source>Simulated time t, in s: the moment that all views show</source>
+        <translation>Temps simulé t, en s : l’instant que montrent toutes les vues</translation>
     </message>
 </context>
 <context>
@@ -2973,6 +3695,43 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>change of the method</source>
         <translation>changement de méthode</translation>
     </message>
+    <message>
+        <source>How the run gets from one moment to the next. The error of a method of order p shrinks with the step h like h to the power of p.</source>
+        <translation>Comment la simulation passe d’un instant au suivant. L’erreur d’une méthode d’ordre p diminue avec le pas h comme h puissance p.</translation>
+    </message>
+    <message>
+        <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
+        <translation>Pas h en s : temps simulé que la méthode franchit d’un coup. Des pas plus petits sont plus précis et coûtent plus.</translation>
+    </message>
+    <message>
+        <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
+        <translation>Tolérance, sans unité : l’erreur que la méthode se permet en un pas, en m, m/s, rad et rad/s. Elle choisit ses pas en conséquence.</translation>
+    </message>
+    <message>
+        <source>Compute the scene with this method, too</source>
+        <translation>Calculer la scène aussi avec cette méthode</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneAnnouncer</name>
+    <message>
+        <source>No weight selected</source>
+        <translation>Aucune bille choisie</translation>
+    </message>
+    <message>
+        <source>Weight %1 selected</source>
+        <translation>Bille %1 choisie</translation>
+    </message>
+    <message>
+        <source>%1: weight %2, at %3 s</source>
+        <comment>an event, such as: Impact on the floor</comment>
+        <translation>%1 : bille %2, à %3 s</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>an event and how many there are</comment>
+        <translation>%1 : %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneCommands</name>
@@ -3013,6 +3772,18 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>larger than 64 MiB</source>
         <translation>plus de 64 MiB</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>not UTF-8 but UTF-16; save it as UTF-8</source>
+        <translation>pas en UTF-8 mais en UTF-16 ; enregistrez-le en UTF-8</translation>
+    </message>
+    <message>
+        <source>it is no file but a pipe or a device</source>
+        <translation>ce n’est pas un fichier mais un tube ou un périphérique</translation>
     </message>
 </context>
 <context>
@@ -3140,6 +3911,53 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>change of the cut</source>
         <translation>changement de la coupe</translation>
     </message>
+    <message>
+        <source>How many weights there are, hung up at even intervals. New ones are like the last one.</source>
+        <translation>Nombre de billes, suspendues à intervalles égaux. Les nouvelles sont comme la dernière.</translation>
+    </message>
+    <message>
+        <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
+        <translation>Accélération de la pesanteur g, en m/s². Elle tire chaque bille vers le bas avec la force m g. Sur Terre 9,81 m/s².</translation>
+    </message>
+    <message>
+        <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
+        <translation>Masse volumique de l’air ρ, en kg/m³. La traînée est F = ½ ρ c_d A v² contre la vitesse, avec A = π r². 1,2 kg/m³ au niveau de la mer, 0 pour le vide.</translation>
+    </message>
+    <message>
+        <source>Distance between the walls, in m.</source>
+        <translation>Distance entre les parois, en m.</translation>
+    </message>
+    <message>
+        <source>Distance between floor and ceiling, in m.</source>
+        <translation>Distance entre le sol et le plafond, en m.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Part e de la vitesse vers une paroi, le sol ou le plafond avec laquelle une bille en repart : 1 ne perd rien, 0 ne rebondit pas.</translation>
+    </message>
+    <message>
+        <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
+        <translation>Coefficient de frottement μ des parois, du sol et du plafond. Le frottement vaut au plus μ fois la force, ou l’impulsion, qui presse la bille contre eux.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Part e de la vitesse de rapprochement avec laquelle deux billes se séparent après un choc : 1 ne perd rien, 0 ne rebondit pas.</translation>
+    </message>
+    <message>
+        <source>Simulated time in s at which all ropes are cut.</source>
+        <translation>Temps simulé en s où toutes les cordes sont coupées.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneLoading</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneMarker</name>
@@ -3159,12 +3977,8 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <translation>Scène</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1&#xa0;: impossible à écrire&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>%1: a picture&apos;s name must end in .png, .svg or .pdf</source>
-        <translation>%1&#xa0;: le nom d’une image doit se terminer par .png, .svg ou .pdf</translation>
+        <source>a picture&apos;s name must end in .png, .svg or .pdf</source>
+        <translation>le nom d’une image doit se terminer par .png, .svg ou .pdf</translation>
     </message>
 </context>
 <context>
@@ -3303,6 +4117,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>Target</source>
         <translation>Cible</translation>
     </message>
+    <message>
+        <source>The room with its weights and ropes. A click selects a weight, the wheel zooms, dragging moves the view.</source>
+        <translation>La salle avec ses billes et ses cordes. Un clic choisit une bille, la molette agrandit, glisser déplace la vue.</translation>
+    </message>
 </context>
 <context>
     <name>ui::SeparationChart</name>
@@ -3325,6 +4143,21 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+    <message>
+        <source>Largest distance between the same weight in both runs, in m, on a logarithmic axis</source>
+        <translation>Plus grande distance entre la même bille des deux simulations, en m, sur un axe logarithmique</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Settings</name>
+    <message>
+        <source>The settings in %1 were damaged; what could not be read is as at first.</source>
+        <translation>Les réglages dans %1 étaient endommagés ; ce qui n’a pu être lu est comme au début.</translation>
+    </message>
+    <message>
+        <source>Settings are not remembered: nothing can be written to %1</source>
+        <translation>Les réglages ne sont pas retenus : rien ne peut être écrit dans %1</translation>
     </message>
 </context>
 <context>
@@ -3380,6 +4213,18 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Export stability map</source>
         <translation>Exporter la carte de stabilité</translation>
+    </message>
+    <message>
+        <source>For which steps the run keeps its energy, and for which it grows beyond all bounds</source>
+        <translation>Pour quels pas la simulation garde son énergie, et pour lesquels elle croît sans limite</translation>
+    </message>
+    <message>
+        <source>How long each run is followed, in s: what grows slowly needs time to show</source>
+        <translation>Durée pendant laquelle chaque simulation est suivie, en s : ce qui croît lentement demande du temps pour se voir</translation>
+    </message>
+    <message>
+        <source>Save the map as a picture</source>
+        <translation>Enregistrer la carte comme image</translation>
     </message>
 </context>
 <context>
@@ -3494,6 +4339,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>s</source>
         <translation>s</translation>
     </message>
+    <message>
+        <source>The exact way, the slopes that the method took, and its end</source>
+        <translation>Le chemin exact, les pentes que la méthode a prises, et son arrivée</translation>
+    </message>
 </context>
 <context>
     <name>ui::StepTable</name>
@@ -3536,6 +4385,22 @@ pente en %3</translation>
 in m</source>
         <translation>Erreur
 en m</translation>
+    </message>
+    <message>
+        <source>The slopes that the method took on its way, and where other methods end</source>
+        <translation>Les pentes que la méthode a prises en chemin, et où arrivent d’autres méthodes</translation>
+    </message>
+    <message>
+        <source>Share of the slope in the mean that the step is taken with</source>
+        <translation>Part de la pente dans la moyenne avec laquelle le pas est fait</translation>
+    </message>
+    <message>
+        <source>%1 at the start and the end, and as a slope how fast it changes</source>
+        <translation>%1 au début et à la fin, et comme pente sa vitesse de variation</translation>
+    </message>
+    <message>
+        <source>Distance of the end from the exact one, in m: the error of this step alone</source>
+        <translation>Distance entre l’arrivée et l’arrivée exacte, en m : l’erreur de ce seul pas</translation>
     </message>
 </context>
 <context>
@@ -3599,6 +4464,10 @@ en m</translation>
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
+    <message>
+        <source>Compute in the background; the same button stops it</source>
+        <translation>Calculer en arrière-plan ; le même bouton arrête</translation>
+    </message>
 </context>
 <context>
     <name>ui::TimeCommands</name>
@@ -3629,6 +4498,77 @@ en m</translation>
         <source>%1 s: %2, weight: %3</source>
         <translation>%1 s&#xa0;: %2, bille&#xa0;: %3</translation>
     </message>
+    <message>
+        <source>The recording from its start to its end, with marks for events. A click or dragging shows another moment; Home, End and the arrow keys do, too.</source>
+        <translation>L’enregistrement du début à la fin, avec des marques pour les événements. Un clic ou glisser montre un autre instant ; Début, Fin et les flèches aussi.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Visite</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>La scène</translation>
+    </message>
+    <message>
+        <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
+        <translation>Des billes sur des cordes. Les pleines suivent la première méthode, les anneaux les autres. Au départ, tirez une bille pour tourner sa corde ; la molette agrandit.</translation>
+    </message>
+    <message>
+        <source>Play and cut</source>
+        <translation>Lecture et coupe</translation>
+    </message>
+    <message>
+        <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
+        <translation>Espace lance et arrête. C coupe toutes les cordes, R revient au départ. Au ralenti, un choc dure des secondes.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Pas à pas</translation>
+    </message>
+    <message>
+        <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
+        <translation>Les flèches → et ← avancent d’un pas, I va au prochain choc. Glissez sur cette ligne pour revoir n’importe quel instant.</translation>
+    </message>
+    <message>
+        <source>Where the energy goes</source>
+        <translation>Où va l’énergie</translation>
+    </message>
+    <message>
+        <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
+        <translation>Le total devrait être une ligne plate. Ce qu’il monte ou descend, la méthode l’a créé ou perdu, pas la nature.</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Des méthodes côte à côte</translation>
+    </message>
+    <message>
+        <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
+        <translation>Jusqu’à quatre méthodes calculent la même scène. Choisissez-les ici avec leurs pas, et voyez qui a raison. Leçons, en haut à droite, propose des scènes pour commencer.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Commencer</translation>
+    </message>
 </context>
 <context>
     <name>ui::TradeWindow</name>
@@ -3643,6 +4583,14 @@ en m</translation>
     <message>
         <source>%1 is run %2 now.</source>
         <translation>%1 est maintenant la simulation %2.</translation>
+    </message>
+    <message>
+        <source>What is measured</source>
+        <translation>Ce qui est mesuré</translation>
+    </message>
+    <message>
+        <source>What accuracy costs, or how large steps may be</source>
+        <translation>Ce que coûte la précision, ou la taille permise des pas</translation>
     </message>
 </context>
 <context>
@@ -3919,6 +4867,30 @@ en m</translation>
         <source>rod</source>
         <translation>tige</translation>
     </message>
+    <message>
+        <source>Color of the weight, such as #e69f00, or automatic</source>
+        <translation>Couleur de la bille, par exemple #e69f00, ou automatique</translation>
+    </message>
+    <message>
+        <source>What holds the weight at the start: a rope, a rod, or nothing</source>
+        <translation>Ce qui tient la bille au départ : une corde, une tige ou rien</translation>
+    </message>
+    <message>
+        <source>Where the rope is tied: x from the left wall, y from the floor, in m</source>
+        <translation>Où la corde est attachée : x depuis la paroi gauche, y depuis le sol, en m</translation>
+    </message>
+    <message>
+        <source>Angular velocity ω at the start, in °/s, positive counterclockwise</source>
+        <translation>Vitesse angulaire ω au départ, en °/s, positive dans le sens antihoraire</translation>
+    </message>
+    <message>
+        <source>Center of the weight at the start: x from the left wall, y from the floor, in m</source>
+        <translation>Centre de la bille au départ : x depuis la paroi gauche, y depuis le sol, en m</translation>
+    </message>
+    <message>
+        <source>Velocity v at the start: x to the right, y up, in m/s</source>
+        <translation>Vitesse v au départ : x vers la droite, y vers le haut, en m/s</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -4051,6 +5023,30 @@ en m</translation>
         <source>All weights in a table…</source>
         <translation>Toutes les billes en tableau…</translation>
     </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Longueur de la corde L, en m : du point d’attache au centre de la bille. Une petite oscillation dure T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Angle θ de la corde au départ, en degrés depuis la verticale vers le bas, positif à droite.</translation>
+    </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masse m, en kg. Sans air elle ne compte pas pour une oscillation ; avec de l’air, une bille plus lourde est moins freinée.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Rayon r, en m. L’air rencontre l’aire A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Coefficient de traînée c_d, sans unité : combien la forme est freinée par l’air. 0,47 pour une sphère.</translation>
+    </message>
+    <message>
+        <source>Change many weights at once, and copy them from and to spreadsheets</source>
+        <translation>Changer plusieurs billes à la fois, et les copier depuis et vers un tableur</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightsModel</name>
@@ -4168,6 +5164,136 @@ en m</translation>
     <message>
         <source>filling down</source>
         <translation>remplissage vers le bas</translation>
+    </message>
+    <message>
+        <source>One row for each weight. Return edits a cell, of all selected rows at once.</source>
+        <translation>Une ligne par bille. Entrée modifie une cellule, dans toutes les lignes choisies à la fois.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowFace</name>
+    <message>
+        <source>Bring them back</source>
+        <translation>Les récupérer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Undo the change</source>
+        <translation>Annuler le changement</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for a crash: %1</source>
+        <translation>Les changements non enregistrés ne peuvent être mis à l’abri d’un plantage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Colors</source>
+        <translation>C&amp;ouleurs</translation>
+    </message>
+    <message>
+        <source>Like the &amp;desktop</source>
+        <translation>Comme le &amp;bureau</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Sombre</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Taille du te&amp;xte</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normale</translation>
+    </message>
+    <message>
+        <source>&amp;Large</source>
+        <translation>&amp;Grande</translation>
+    </message>
+    <message>
+        <source>&amp;Very large</source>
+        <translation>&amp;Très grande</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn by</source>
+        <translation>&amp;Dessiné par</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic choice</source>
+        <translation>Choix &amp;automatique</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;QPainter</source>
+        <translation>&amp;QPainter</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>Non appliqué&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Angry Cuts</source>
+        <translation>%1[*] – Angry Cuts</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Nouvelle scène</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Dessiné par %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPanels</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Leçon</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Billes</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Simulations</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Inside a step</source>
+        <translation>Dans un pas</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Événements</translation>
+    </message>
+    <message>
+        <source>Weights table</source>
+        <translation>Tableau des billes</translation>
     </message>
 </context>
 <context>

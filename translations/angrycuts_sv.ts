@@ -2,6 +2,618 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en_US">
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Mapp</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>Mapp</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Enhet</translation>
+    </message>
+    <message>
+        <source>Alias</source>
+        <translation>Alias</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Genväg</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Okänd</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Markera allt</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>Stega &amp;upp</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>Stega &amp;ned</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Leta i:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Mapp:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Fil&amp;namn:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Filtyp:</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Hitta mapp</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Bakåt</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Gå bakåt</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Framåt</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Gå framåt</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Överordnad mapp</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Gå till överordnad mapp</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Skapa ny mapp</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Skapa en ny mapp</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Ny mapp</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Ny mapp</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Listvy</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Byt till listvy</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Detaljerad vy</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Byt till detaljerad vy</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Sidofält</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Platser och bokmärken</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Filer</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Mappar</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Senaste platser</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Öppna</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Spara</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Spara som</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Välj</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Byt namn</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Ta bort</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Visa </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>Visa &amp;dolda filer</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 finns redan.
+Vill du ersätta den?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>”%1” är skrivskyddad.
+Vill du ta bort den ändå?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>Vill du verkligen ta bort ”%1”?</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>Mappen kunde inte tas bort.</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Filen hittades inte.
+Kontrollera att namnet är rätt.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Mappen hittades inte.
+Kontrollera att namnet är rätt.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Namn</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Storlek</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Slag</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Ändrad</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Dator</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Min dator</translation>
+    </message>
+</context>
+<context>
+    <name>QGnomeTheme</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Spara</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Avbryt</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Stäng</translation>
+    </message>
+    <message>
+        <source>Close without Saving</source>
+        <translation>Stäng utan att spara</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Klipp &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiera</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>K&amp;listra in</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Markera allt</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Visa detaljer…</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Dölj detaljer…</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Ja till &amp;alla</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nej</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>N&amp;ej till alla</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Spara</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Spara alla</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Försök igen</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorera</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Kasta</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Verkställ</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Återställ</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Återställ standard</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hjälp</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Rulla hit</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Vänsterkanten</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Början</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Högerkanten</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Slutet</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>En sida åt vänster</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>En sida upp</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>En sida åt höger</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>En sida ned</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Rulla åt vänster</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Rulla upp</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Rulla åt höger</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Rulla ned</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Skift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Mellanslag</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Vänsterpil</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Högerpil</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Uppil</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nedpil</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>PgUp</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>PgDn</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Insert</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insert</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabb</translation>
+    </message>
+    <message>
+        <source>Backtab</source>
+        <translation>Skift+Tabb</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Retur</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backsteg</translation>
+    </message>
+    <message>
+        <source>Media Play</source>
+        <translation>Spela</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Rulla åt vänster</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Rulla åt höger</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Klipp &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiera</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>Kopiera &amp;länkadress</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>K&amp;listra in</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Markera allt</translation>
+    </message>
+</context>
+<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -299,6 +911,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>the window cannot be opened: %1</source>
         <translation>fönstret kan inte öppnas: %1</translation>
     </message>
+    <message>
+        <source>no display answers (%1)</source>
+        <translation>ingen skärm svarar (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::AccuracyPanel</name>
@@ -366,6 +982,22 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>accuracy</source>
         <translation>noggrannhet</translation>
     </message>
+    <message>
+        <source>How long each run is followed, in s; errors are compared at its end</source>
+        <translation>Hur länge varje körning följs, i s; felen jämförs vid dess slut</translation>
+    </message>
+    <message>
+        <source>Cost is counted in slope evaluations, which the time of computing goes with</source>
+        <translation>Kostnaden räknas i lutningsberäkningar, som räknetiden följer</translation>
+    </message>
+    <message>
+        <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
+        <translation>Största avstånd från rätt plats som godtas, i m: vilken metod når det till lägsta kostnad?</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Spara diagrammet som bild eller dess siffror som tabell</translation>
+    </message>
 </context>
 <context>
     <name>ui::BuiltInScenes</name>
@@ -377,12 +1009,8 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
 <context>
     <name>ui::ChartFile</name>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>Kan inte skriva %1: %2</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: a chart&apos;s file ends in .png, .svg or .pdf</source>
-        <translation>Kan inte skriva %1: en diagramfil slutar på .png, .svg eller .pdf</translation>
+        <source>a chart&apos;s file ends in .png, .svg or .pdf</source>
+        <translation>en diagramfil slutar på .png, .svg eller .pdf</translation>
     </message>
 </context>
 <context>
@@ -503,6 +1131,30 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>&amp;Height</source>
         <translation>&amp;Höjd</translation>
     </message>
+    <message>
+        <source>Sizes that are often wanted</source>
+        <translation>Storlekar som ofta behövs</translation>
+    </message>
+    <message>
+        <source>Width of the chart on paper, in mm</source>
+        <translation>Diagrammets bredd på papper, i mm</translation>
+    </message>
+    <message>
+        <source>Height of the chart on paper, in mm</source>
+        <translation>Diagrammets höjd på papper, i mm</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>Syfte</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höjd</translation>
+    </message>
 </context>
 <context>
     <name>ui::ChartTable</name>
@@ -517,6 +1169,13 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ChartWidget</name>
+    <message>
+        <source>A click goes to a moment. Wheel, plus and minus zoom, dragging a box does, too; Alt and the arrow keys move the chart, 0 shows all of it.</source>
+        <translation>Ett klick går till en tidpunkt. Hjulet, plus och minus zoomar, liksom att dra upp en ruta; Alt och piltangenterna flyttar diagrammet, 0 visar hela.</translation>
     </message>
 </context>
 <context>
@@ -560,6 +1219,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>All runs</source>
         <translation>Alla</translation>
+    </message>
+    <message>
+        <source>What the chart shows against what</source>
+        <translation>Vad diagrammet visar mot vad</translation>
     </message>
 </context>
 <context>
@@ -1144,6 +1807,42 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>Pause</source>
         <translation>Paus</translation>
     </message>
+    <message>
+        <source>&amp;Teacher&apos;s sheet</source>
+        <translation>&amp;Lärarblad</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blad</translation>
+    </message>
+    <message>
+        <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
+        <translation>Lektionens mål, steg, frågor och väntade siffror, att skriva ut</translation>
+    </message>
+    <message>
+        <source>Quick &amp;guide</source>
+        <translation>&amp;Snabbguide</translation>
+    </message>
+    <message>
+        <source>Explain the window in a few pages</source>
+        <translation>Förklara fönstret på några sidor</translation>
+    </message>
+    <message>
+        <source>The &amp;model</source>
+        <translation>&amp;Modellen</translation>
+    </message>
+    <message>
+        <source>Show the equations that are computed, and why</source>
+        <translation>Visa ekvationerna som beräknas, och varför</translation>
+    </message>
+    <message>
+        <source>T&amp;our of the window</source>
+        <translation>&amp;Rundtur i fönstret</translation>
+    </message>
+    <message>
+        <source>Point out the five most important parts of the window</source>
+        <translation>Peka ut fönstrets fem viktigaste delar</translation>
+    </message>
 </context>
 <context>
     <name>ui::ComparisonPanel</name>
@@ -1172,14 +1871,6 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <translation>Lutningar</translation>
     </message>
     <message>
-        <source>Largest distance between the same weight in both runs, now</source>
-        <translation>Största avståndet mellan samma vikt i båda körningarna, nu</translation>
-    </message>
-    <message>
-        <source>Energy the method got wrong so far</source>
-        <translation>Energi som metoden har räknat fel hittills</translation>
-    </message>
-    <message>
         <source>The same as a share of the energy at the start</source>
         <translation>Detsamma som andel av energin vid starten</translation>
     </message>
@@ -1194,6 +1885,22 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Distance from %1</source>
         <translation>Avstånd från %1</translation>
+    </message>
+    <message>
+        <source>Largest distance between the same weight in both runs, now: max |p − p&apos;|, in m</source>
+        <translation>Största avstånd mellan samma vikt i båda körningarna, nu: max |p − p&apos;|, i m</translation>
+    </message>
+    <message>
+        <source>Energy the method got wrong so far, in J: kinetic + potential + losses − energy at the start</source>
+        <translation>Energi som metoden hittills fått fel, i J: rörelse + läge + förluster − energin vid start</translation>
+    </message>
+    <message>
+        <source>Method and step of the run</source>
+        <translation>Körningens metod och steg</translation>
+    </message>
+    <message>
+        <source>How far the runs are apart, and what each got wrong, at the moment shown</source>
+        <translation>Hur långt körningarna är ifrån varandra, och vad var och en fått fel, vid den tidpunkt som visas</translation>
     </message>
 </context>
 <context>
@@ -1280,6 +1987,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>after %1 s</source>
         <translation>efter %1 s</translation>
+    </message>
+    <message>
+        <source>A click cuts the ropes at that moment; moments that hit are listed in the table beside it.</source>
+        <translation>Ett klick klipper repen vid den tidpunkten; tidpunkter som träffar står i tabellen bredvid.</translation>
     </message>
 </context>
 <context>
@@ -1423,6 +2134,26 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>when-to-cut</source>
         <translation>klipptider</translation>
     </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Var målets mitt ligger, x i m från vänstra väggen</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Hur brett målet är, i m</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>Den tidigaste tidpunkten att klippa, i s</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>Den senaste tidpunkten att klippa, i s</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Spara diagrammet som bild eller dess siffror som tabell</translation>
+    </message>
 </context>
 <context>
     <name>ui::DraftKeeper</name>
@@ -1524,10 +2255,6 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
 <context>
     <name>ui::EventTable</name>
     <message>
-        <source>Of the weight; where two meet, of the first named</source>
-        <translation>För vikten; där två möts, för den först nämnda</translation>
-    </message>
-    <message>
         <source>Time (s)</source>
         <translation>Tid (s)</translation>
     </message>
@@ -1550,6 +2277,30 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Energy lost (J)</source>
         <translation>Förlust (J)</translation>
+    </message>
+    <message>
+        <source>When it happened, t in s</source>
+        <translation>När det hände, t i s</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Vad som hände</translation>
+    </message>
+    <message>
+        <source>The weights it happened to, counted from the left</source>
+        <translation>Vikterna det hände, räknat från vänster</translation>
+    </message>
+    <message>
+        <source>Speed |v| right before, in m/s. Of the weight; where two meet, of the first named</source>
+        <translation>Farten |v| strax före, i m/s. Viktens; där två möts den förstnämndas</translation>
+    </message>
+    <message>
+        <source>Speed |v| right after, in m/s. Of the weight; where two meet, of the first named</source>
+        <translation>Farten |v| strax efter, i m/s. Viktens; där två möts den förstnämndas</translation>
+    </message>
+    <message>
+        <source>Kinetic energy turned into heat by the event, in J. Between two weights ½ (1 − e²) μ v², with the speed v towards each other and 1/μ = 1/m₁ + 1/m₂</source>
+        <translation>Rörelseenergi som händelsen gör till värme, i J. Mellan två vikter ½ (1 − e²) μ v², med farten v mot varandra och 1/μ = 1/m₁ + 1/m₂</translation>
     </message>
 </context>
 <context>
@@ -1669,6 +2420,14 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>Events copied as CSV: %1</source>
         <translation>Händelser kopierade som CSV: %1</translation>
     </message>
+    <message>
+        <source>What happened in the run; choosing an event shows its moment</source>
+        <translation>Vad som hände i körningen; att välja en händelse visar dess tidpunkt</translation>
+    </message>
+    <message>
+        <source>Kinds of events that are listed</source>
+        <translation>Slag av händelser som listas</translation>
+    </message>
 </context>
 <context>
     <name>ui::Exports</name>
@@ -1757,6 +2516,65 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>&lt;h3&gt;Angry Cuts %1&lt;/h3&gt;&lt;p&gt;Weights hang on ropes and swing; the ropes are cut; the weights fly, bounce and come to rest. Two numerical methods compute the same scene side by side, and an energy ledger shows what each of them gets wrong.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Angry Cuts %1&lt;/h3&gt;&lt;p&gt;Vikter hänger i rep och svänger; repen klipps; vikterna flyger, studsar och kommer i vila. Två numeriska metoder beräknar samma scen sida vid sida, och en energibalans visar vad var och en av dem räknar fel.&lt;/p&gt;&lt;p&gt;Fri programvara under GNU General Public License, version 3 eller senare.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hjälp</translation>
+    </message>
+    <message>
+        <source>Quick guide</source>
+        <translation>Snabbguide</translation>
+    </message>
+    <message>
+        <source>The model</source>
+        <translation>Modellen</translation>
+    </message>
+    <message>
+        <source>Teacher&apos;s sheets</source>
+        <translation>Lärarblad</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Kapitel</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Innehåll</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>S&amp;kriv ut…</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Spara som PDF…</translation>
+    </message>
+    <message>
+        <source>Printed %1</source>
+        <translation>%1 utskrivet</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Spara som PDF</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Sparade %1</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Inte sparat</translation>
     </message>
 </context>
 <context>
@@ -2076,6 +2894,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Hide</source>
         <translation>Dölj</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blad</translation>
     </message>
 </context>
 <context>
@@ -2490,120 +3312,12 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
 <context>
     <name>ui::MainWindow</name>
     <message>
-        <source>Unsaved changes cannot be kept for a crash: %1</source>
-        <translation>Ändringar som inte är sparade kan inte säkras mot en krasch: %1</translation>
+        <source>Panels</source>
+        <translation>Paneler</translation>
     </message>
     <message>
-        <source>Bring them back</source>
-        <translation>Hämta tillbaka dem</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Förkasta</translation>
-    </message>
-    <message>
-        <source>Undo the change</source>
-        <translation>Ångra ändringen</translation>
-    </message>
-    <message>
-        <source>Lesson</source>
-        <translation>Lektion</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Scen</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Vikter</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Körningar</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Diagram</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Jämförelse</translation>
-    </message>
-    <message>
-        <source>Inside a step</source>
-        <translation>Inuti ett steg</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Händelser</translation>
-    </message>
-    <message>
-        <source>Weights table</source>
-        <translation>Vikttabell</translation>
-    </message>
-    <message>
-        <source>&amp;Colors</source>
-        <translation>Fär&amp;ger</translation>
-    </message>
-    <message>
-        <source>Like the &amp;desktop</source>
-        <translation>Som &amp;skrivbordet</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Ljust</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>&amp;Mörkt</translation>
-    </message>
-    <message>
-        <source>Te&amp;xt size</source>
-        <translation>Te&amp;xtstorlek</translation>
-    </message>
-    <message>
-        <source>&amp;Normal</source>
-        <translation>&amp;Normal</translation>
-    </message>
-    <message>
-        <source>&amp;Large</source>
-        <translation>&amp;Stor</translation>
-    </message>
-    <message>
-        <source>&amp;Very large</source>
-        <translation>&amp;Mycket stor</translation>
-    </message>
-    <message>
-        <source>&amp;Drawn by</source>
-        <translation>&amp;Ritas med</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic choice</source>
-        <translation>&amp;Automatiskt val</translation>
-    </message>
-    <message>
-        <source>&amp;OpenGL</source>
-        <translation>&amp;OpenGL</translation>
-    </message>
-    <message>
-        <source>&amp;QPainter</source>
-        <translation>&amp;QPainter</translation>
-    </message>
-    <message>
-        <source>Not applied: %1</source>
-        <translation>Inte tillämpat: %1</translation>
-    </message>
-    <message>
-        <source>%1[*] – Angry Cuts</source>
-        <translation>%1[*] – Angry Cuts</translation>
-    </message>
-    <message>
-        <source>New scene</source>
-        <translation>Ny scen</translation>
-    </message>
-    <message>
-        <source>Drawn by %1</source>
-        <translation>Ritas med %1</translation>
+        <source>Which of the panels that share this place is shown</source>
+        <translation>Vilken av panelerna som delar platsen som visas</translation>
     </message>
 </context>
 <context>
@@ -2728,6 +3442,14 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Speed %1</source>
         <translation>Tempo %1</translation>
+    </message>
+    <message>
+        <source>Simulated seconds in a second of real time</source>
+        <translation>Simulerade sekunder på en verklig sekund</translation>
+    </message>
+    <message>
+        <source>Simulated time t, in s: the moment that all views show</source>
+        <translation>Simulerad tid t, i s: den tidpunkt som alla vyer visar</translation>
     </message>
 </context>
 <context>
@@ -2971,6 +3693,43 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>change of the method</source>
         <translation>ändring av metoden</translation>
     </message>
+    <message>
+        <source>How the run gets from one moment to the next. The error of a method of order p shrinks with the step h like h to the power of p.</source>
+        <translation>Hur körningen kommer från en tidpunkt till nästa. Felet hos en metod av ordning p krymper med steget h som h upphöjt till p.</translation>
+    </message>
+    <message>
+        <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
+        <translation>Steget h i s: hur mycket simulerad tid metoden tar åt gången. Mindre steg är noggrannare och kostar mer.</translation>
+    </message>
+    <message>
+        <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
+        <translation>Tolerans, utan enhet: felet metoden tillåter sig i ett steg, i m, m/s, rad och rad/s. Den väljer sina steg därefter.</translation>
+    </message>
+    <message>
+        <source>Compute the scene with this method, too</source>
+        <translation>Beräkna scenen också med denna metod</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneAnnouncer</name>
+    <message>
+        <source>No weight selected</source>
+        <translation>Ingen vikt vald</translation>
+    </message>
+    <message>
+        <source>Weight %1 selected</source>
+        <translation>Vikt %1 vald</translation>
+    </message>
+    <message>
+        <source>%1: weight %2, at %3 s</source>
+        <comment>an event, such as: Impact on the floor</comment>
+        <translation>%1: vikt %2, vid %3 s</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>an event and how many there are</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneCommands</name>
@@ -3011,6 +3770,18 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>larger than 64 MiB</source>
         <translation>större än 64 MiB</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>filen är tom</translation>
+    </message>
+    <message>
+        <source>not UTF-8 but UTF-16; save it as UTF-8</source>
+        <translation>inte UTF-8 utan UTF-16; spara den som UTF-8</translation>
+    </message>
+    <message>
+        <source>it is no file but a pipe or a device</source>
+        <translation>det är ingen fil utan ett rör eller en enhet</translation>
     </message>
 </context>
 <context>
@@ -3138,6 +3909,53 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>change of the cut</source>
         <translation>ändring av klippet</translation>
     </message>
+    <message>
+        <source>How many weights there are, hung up at even intervals. New ones are like the last one.</source>
+        <translation>Hur många vikter det finns, upphängda med jämna mellanrum. Nya är som den sista.</translation>
+    </message>
+    <message>
+        <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
+        <translation>Tyngdacceleration g, i m/s². Den drar varje vikt nedåt med kraften m g. På jorden 9,81 m/s².</translation>
+    </message>
+    <message>
+        <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
+        <translation>Luftens densitet ρ, i kg/m³. Luftmotståndet är F = ½ ρ c_d A v² mot hastigheten, med A = π r². 1,2 kg/m³ vid havsytan, 0 för vakuum.</translation>
+    </message>
+    <message>
+        <source>Distance between the walls, in m.</source>
+        <translation>Avståndet mellan väggarna, i m.</translation>
+    </message>
+    <message>
+        <source>Distance between floor and ceiling, in m.</source>
+        <translation>Avståndet mellan golv och tak, i m.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Den andel e av farten mot en vägg, golvet eller taket som en vikt lämnar det med: 1 förlorar inget, 0 studsar inte.</translation>
+    </message>
+    <message>
+        <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
+        <translation>Friktionstal μ för väggar, golv och tak. Friktionen är högst μ gånger den kraft, eller impuls, som trycker vikten mot dem.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Den andel e av farten mot varandra som två vikter skiljs åt med efter en stöt: 1 förlorar inget, 0 studsar inte.</translation>
+    </message>
+    <message>
+        <source>Simulated time in s at which all ropes are cut.</source>
+        <translation>Simulerad tid i s då alla rep klipps.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneLoading</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Öppnar %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneMarker</name>
@@ -3157,12 +3975,8 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <translation>Scen</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: kan inte skrivas: %2</translation>
-    </message>
-    <message>
-        <source>%1: a picture&apos;s name must end in .png, .svg or .pdf</source>
-        <translation>%1: en bilds namn måste sluta på .png, .svg eller .pdf</translation>
+        <source>a picture&apos;s name must end in .png, .svg or .pdf</source>
+        <translation>en bilds namn måste sluta på .png, .svg eller .pdf</translation>
     </message>
 </context>
 <context>
@@ -3301,6 +4115,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>Target</source>
         <translation>Mål</translation>
     </message>
+    <message>
+        <source>The room with its weights and ropes. A click selects a weight, the wheel zooms, dragging moves the view.</source>
+        <translation>Rummet med dess vikter och rep. Ett klick väljer en vikt, hjulet zoomar, att dra flyttar vyn.</translation>
+    </message>
 </context>
 <context>
     <name>ui::SeparationChart</name>
@@ -3323,6 +4141,21 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+    <message>
+        <source>Largest distance between the same weight in both runs, in m, on a logarithmic axis</source>
+        <translation>Största avstånd mellan samma vikt i båda körningarna, i m, på en logaritmisk axel</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Settings</name>
+    <message>
+        <source>The settings in %1 were damaged; what could not be read is as at first.</source>
+        <translation>Inställningarna i %1 var skadade; det som inte gick att läsa är som från början.</translation>
+    </message>
+    <message>
+        <source>Settings are not remembered: nothing can be written to %1</source>
+        <translation>Inställningar sparas inte: inget kan skrivas till %1</translation>
     </message>
 </context>
 <context>
@@ -3378,6 +4211,18 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Export stability map</source>
         <translation>Exportera stabilitetskarta</translation>
+    </message>
+    <message>
+        <source>For which steps the run keeps its energy, and for which it grows beyond all bounds</source>
+        <translation>För vilka steg körningen behåller sin energi, och för vilka den växer bortom alla gränser</translation>
+    </message>
+    <message>
+        <source>How long each run is followed, in s: what grows slowly needs time to show</source>
+        <translation>Hur länge varje körning följs, i s: det som växer långsamt behöver tid för att synas</translation>
+    </message>
+    <message>
+        <source>Save the map as a picture</source>
+        <translation>Spara kartan som bild</translation>
     </message>
 </context>
 <context>
@@ -3492,6 +4337,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>s</source>
         <translation>s</translation>
     </message>
+    <message>
+        <source>The exact way, the slopes that the method took, and its end</source>
+        <translation>Den exakta vägen, lutningarna som metoden tog, och dess slut</translation>
+    </message>
 </context>
 <context>
     <name>ui::StepTable</name>
@@ -3534,6 +4383,22 @@ lutning i %3</translation>
 in m</source>
         <translation>Fel
 i m</translation>
+    </message>
+    <message>
+        <source>The slopes that the method took on its way, and where other methods end</source>
+        <translation>Lutningarna som metoden tog på vägen, och var andra metoder slutar</translation>
+    </message>
+    <message>
+        <source>Share of the slope in the mean that the step is taken with</source>
+        <translation>Lutningens andel i det medelvärde som steget tas med</translation>
+    </message>
+    <message>
+        <source>%1 at the start and the end, and as a slope how fast it changes</source>
+        <translation>%1 vid början och slutet, och som lutning hur fort det ändras</translation>
+    </message>
+    <message>
+        <source>Distance of the end from the exact one, in m: the error of this step alone</source>
+        <translation>Slutets avstånd från det exakta, i m: felet i bara detta steg</translation>
     </message>
 </context>
 <context>
@@ -3597,6 +4462,10 @@ i m</translation>
         <source>Cancel</source>
         <translation>Avbryt</translation>
     </message>
+    <message>
+        <source>Compute in the background; the same button stops it</source>
+        <translation>Beräkna i bakgrunden; samma knapp avbryter</translation>
+    </message>
 </context>
 <context>
     <name>ui::TimeCommands</name>
@@ -3627,6 +4496,77 @@ i m</translation>
         <source>%1 s: %2, weight: %3</source>
         <translation>%1 s: %2, vikt: %3</translation>
     </message>
+    <message>
+        <source>The recording from its start to its end, with marks for events. A click or dragging shows another moment; Home, End and the arrow keys do, too.</source>
+        <translation>Inspelningen från början till slut, med märken för händelser. Ett klick eller att dra visar en annan tidpunkt; det gör Home, End och piltangenterna också.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>Scenen</translation>
+    </message>
+    <message>
+        <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
+        <translation>Vikter på rep. Fyllda följer den första metoden, ringar de andra. Dra i en vikt vid starten för att vrida dess rep; hjulet zoomar.</translation>
+    </message>
+    <message>
+        <source>Play and cut</source>
+        <translation>Spela och klipp</translation>
+    </message>
+    <message>
+        <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
+        <translation>Mellanslag spelar och stannar. C klipper alla rep, R går tillbaka till starten. Ultrarapid låter en stöt vara i sekunder.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Steg för steg</translation>
+    </message>
+    <message>
+        <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
+        <translation>Piltangenterna → och ← går ett steg, I går till nästa stöt. Dra längs linjen för att se vilken tidpunkt som helst igen.</translation>
+    </message>
+    <message>
+        <source>Where the energy goes</source>
+        <translation>Vart energin tar vägen</translation>
+    </message>
+    <message>
+        <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
+        <translation>Summan borde vara en rak linje. Det den stiger eller faller har metoden skapat eller förlorat, inte naturen.</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Metoder sida vid sida</translation>
+    </message>
+    <message>
+        <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
+        <translation>Upp till fyra metoder beräknar samma scen. Välj dem och deras steg här, och se vem som har rätt. Under Lektioner, uppe till höger, finns scener att börja med.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Hoppa över</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Bakåt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nästa</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Börja</translation>
+    </message>
 </context>
 <context>
     <name>ui::TradeWindow</name>
@@ -3641,6 +4581,14 @@ i m</translation>
     <message>
         <source>%1 is run %2 now.</source>
         <translation>%1 är nu körning %2.</translation>
+    </message>
+    <message>
+        <source>What is measured</source>
+        <translation>Vad som mäts</translation>
+    </message>
+    <message>
+        <source>What accuracy costs, or how large steps may be</source>
+        <translation>Vad noggrannhet kostar, eller hur stora steg får vara</translation>
     </message>
 </context>
 <context>
@@ -3917,6 +4865,30 @@ i m</translation>
         <source>rod</source>
         <translation>stång</translation>
     </message>
+    <message>
+        <source>Color of the weight, such as #e69f00, or automatic</source>
+        <translation>Viktens färg, till exempel #e69f00, eller automatiskt</translation>
+    </message>
+    <message>
+        <source>What holds the weight at the start: a rope, a rod, or nothing</source>
+        <translation>Vad som håller vikten vid starten: ett rep, en stång eller inget</translation>
+    </message>
+    <message>
+        <source>Where the rope is tied: x from the left wall, y from the floor, in m</source>
+        <translation>Var repet är fäst: x från vänstra väggen, y från golvet, i m</translation>
+    </message>
+    <message>
+        <source>Angular velocity ω at the start, in °/s, positive counterclockwise</source>
+        <translation>Vinkelhastighet ω vid starten, i °/s, positiv moturs</translation>
+    </message>
+    <message>
+        <source>Center of the weight at the start: x from the left wall, y from the floor, in m</source>
+        <translation>Viktens mitt vid starten: x från vänstra väggen, y från golvet, i m</translation>
+    </message>
+    <message>
+        <source>Velocity v at the start: x to the right, y up, in m/s</source>
+        <translation>Hastighet v vid starten: x åt höger, y uppåt, i m/s</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -4049,6 +5021,30 @@ i m</translation>
         <source>All weights in a table…</source>
         <translation>Alla vikter i en tabell…</translation>
     </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Repets längd L, i m: från upphängningen till viktens mitt. En liten svängning tar T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Repets vinkel θ vid starten, i grader från rakt ned, positiv åt höger.</translation>
+    </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Massan m, i kg. Utan luft spelar den ingen roll för en svängning; med luft bromsas en tyngre vikt mindre.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radien r, i m. Luften möter arean A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Motståndskoefficient c_d, utan enhet: hur mycket formen hejdas av luft. 0,47 för ett klot.</translation>
+    </message>
+    <message>
+        <source>Change many weights at once, and copy them from and to spreadsheets</source>
+        <translation>Ändra många vikter på en gång, och kopiera dem från och till kalkylblad</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightsModel</name>
@@ -4166,6 +5162,136 @@ i m</translation>
     <message>
         <source>filling down</source>
         <translation>fyllning nedåt</translation>
+    </message>
+    <message>
+        <source>One row for each weight. Return edits a cell, of all selected rows at once.</source>
+        <translation>En rad för varje vikt. Retur ändrar en cell, i alla valda rader på en gång.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowFace</name>
+    <message>
+        <source>Bring them back</source>
+        <translation>Hämta tillbaka dem</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Förkasta</translation>
+    </message>
+    <message>
+        <source>Undo the change</source>
+        <translation>Ångra ändringen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for a crash: %1</source>
+        <translation>Ändringar som inte är sparade kan inte säkras mot en krasch: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Colors</source>
+        <translation>Fär&amp;ger</translation>
+    </message>
+    <message>
+        <source>Like the &amp;desktop</source>
+        <translation>Som &amp;skrivbordet</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Ljust</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Mörkt</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Te&amp;xtstorlek</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normal</translation>
+    </message>
+    <message>
+        <source>&amp;Large</source>
+        <translation>&amp;Stor</translation>
+    </message>
+    <message>
+        <source>&amp;Very large</source>
+        <translation>&amp;Mycket stor</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn by</source>
+        <translation>&amp;Ritas med</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic choice</source>
+        <translation>&amp;Automatiskt val</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;QPainter</source>
+        <translation>&amp;QPainter</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>S&amp;pråk</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>Inte tillämpat: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Angry Cuts</source>
+        <translation>%1[*] – Angry Cuts</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Ny scen</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Ritas med %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPanels</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scen</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Vikter</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Körningar</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagram</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Jämförelse</translation>
+    </message>
+    <message>
+        <source>Inside a step</source>
+        <translation>Inuti ett steg</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Händelser</translation>
+    </message>
+    <message>
+        <source>Weights table</source>
+        <translation>Vikttabell</translation>
     </message>
 </context>
 <context>

@@ -1,10 +1,12 @@
 #include "ui/main_window.h"
 
+#include <QChildEvent>
 #include <QCloseEvent>
 #include <QMenuBar>
 #include <QScreen>
 #include <QShowEvent>
 #include <QStatusBar>
+#include <QTabBar>
 
 #include "ui/control/draft_keeper.h"
 #include "ui/control/lesson_guide.h"
@@ -87,6 +89,7 @@ void MainWindow::speak(Language language) {
                         static_cast<QWidget*>(m_face), static_cast<QWidget*>(m_area)})
     part->show();
   m_face->setView(view);
+  nameTabs();
   // Panels as wide as before may leave too little room to others, whose words are longer now.
   if (size() != usualSize) resize(usualSize);
   setAnimated(true);
@@ -151,6 +154,19 @@ void MainWindow::showEvent(QShowEvent* event) {
   m_panelsSized = true;
   sizePanels();
   m_face->lessons()->begin();
+}
+
+/// Qt makes tabs for panels that share a place as it needs them.
+void MainWindow::childEvent(QChildEvent* event) {
+  QMainWindow::childEvent(event);
+  if (event->polished()) nameTabs();
+}
+
+void MainWindow::nameTabs() const {
+  for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+    tabs->setAccessibleName(tr("Panels"));
+    tabs->setAccessibleDescription(tr("Which of the panels that share this place is shown"));
+  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -55,6 +55,7 @@ class MainWindow : public QMainWindow {
   TargetControl* target() const;
 
  protected:
+  void childEvent(QChildEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
   void makeFace();
   void removeFace();
   void sizePanels();
+  void nameTabs() const;
 
   Workbench* m_bench;
   SceneArea* m_area;

@@ -23,6 +23,7 @@
 #include "ui/control/recovery.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/run_words.h"
+#include "ui/control/scene_announcer.h"
 #include "ui/control/scene_commands.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
@@ -258,6 +259,9 @@ void WindowFace::connectView() {
   });
   connect(m_hand, &SceneCommands::draggingChanged, this, &WindowFace::showProblems);
   connect(m_hand, &SceneCommands::said, this, &WindowFace::say);
+  auto* announcer =
+      new SceneAnnouncer(m_bench->controller(), m_bench->events(), m_bench->selection(), this);
+  connect(announcer, &SceneAnnouncer::said, m_area, &SceneArea::announce);
   m_area->setPainterChoice(Settings().painter());
   showPainter();
 }

@@ -29,6 +29,8 @@ namespace {
 
 constexpr double kChartShare = 0.4;  // of the height that scene and chart have together
 
+constexpr WindowPanels::TitleLine kUntitled{nullptr, false};
+
 struct Titles {
   Q_DECLARE_TR_FUNCTIONS(ui::WindowPanels)
 };
@@ -55,16 +57,14 @@ void WindowPanels::addForms(const Workbench& bench, const Commands& commands) {
   // The methods are what the program is about.
   auto* runsArea = new FormArea(new RunsForm(bench.editor()), FormArea::Height::kWhole);
   const Qt::DockWidgetArea side = Qt::LeftDockWidgetArea;
-  m_lessonDock = add(side, "lesson", Titles::tr("Lesson"), new FormArea(m_lesson));
-  QDockWidget* scene = add(side, "scene", Titles::tr("Scene"), new FormArea(sceneForm));
-  QDockWidget* weights = add(side, "weights", Titles::tr("Weights"), new FormArea(m_weights));
-  m_runsDock = add(side, "runs", Titles::tr("Runs"), runsArea);
+  // Their tabs are their titles.
+  m_lessonDock = add(side, "lesson", Titles::tr("Lesson"), new FormArea(m_lesson), kUntitled);
+  QDockWidget* scene = add(side, "scene", Titles::tr("Scene"), new FormArea(sceneForm), kUntitled);
+  QDockWidget* weights =
+      add(side, "weights", Titles::tr("Weights"), new FormArea(m_weights), kUntitled);
+  m_runsDock = add(side, "runs", Titles::tr("Runs"), runsArea, {});
   m_window->tabifyDockWidget(m_lessonDock, scene);
   m_window->tabifyDockWidget(scene, weights);
-  // Their tabs are their titles.
-  for (QDockWidget* dock : {m_lessonDock, scene, weights})
-    dock->setTitleBarWidget(new QWidget(dock));
-  m_runsDock->setTitleBarWidget(new PanelTitle(m_runsDock, nullptr));
   scene->raise();
 }
 
@@ -75,20 +75,17 @@ void WindowPanels::addBelow(const Workbench& bench, const Commands& commands, Sc
   m_events = new EventsPanel(bench.controller(), bench.events());
   m_table = new WeightsTable(bench.editor(), bench.selection());
   const Qt::DockWidgetArea below = Qt::BottomDockWidgetArea;
-  m_chartsDock = add(below, "charts", Titles::tr("Charts"), m_charts);
-  QDockWidget* compared = add(below, "comparison", Titles::tr("Comparison"), comparison);
+  m_chartsDock = add(below, "charts", Titles::tr("Charts"), m_charts, {m_charts->choosers()});
+  QDockWidget* compared =
+      add(below, "comparison", Titles::tr("Comparison"), comparison, {comparison->chooser()});
   m_window->tabifyDockWidget(m_chartsDock, compared);
-  QDockWidget* opened = add(below, "step", Titles::tr("Inside a step"), step);
+  QDockWidget* opened = add(below, "step", Titles::tr("Inside a step"), step, {step->choosers()});
   m_window->tabifyDockWidget(compared, opened);
-  QDockWidget* events = add(below, "events", Titles::tr("Events"), m_events);
-  QDockWidget* table = add(below, "weightsTable", Titles::tr("Weights table"), m_table);
+  QDockWidget* events = add(below, "events", Titles::tr("Events"), m_events, {m_events->filters()});
+  QDockWidget* table =
+      add(below, "weightsTable", Titles::tr("Weights table"), m_table, {m_table->buttons()});
   m_window->tabifyDockWidget(opened, table);
   m_window->tabifyDockWidget(m_chartsDock, events);
-  m_chartsDock->setTitleBarWidget(new PanelTitle(m_chartsDock, m_charts->choosers()));
-  compared->setTitleBarWidget(new PanelTitle(compared, comparison->chooser()));
-  opened->setTitleBarWidget(new PanelTitle(opened, step->choosers()));
-  events->setTitleBarWidget(new PanelTitle(events, m_events->filters()));
-  table->setTitleBarWidget(new PanelTitle(table, m_table->buttons()));
   QObject::connect(opened, &QDockWidget::visibilityChanged, step, &StepPanel::setSeen);
   QObject::connect(step, &StepPanel::stepOpened, view, &SceneArea::showStep);
   linkSelection(bench.selection(), bench.editor(), {m_weights, step, m_charts, m_events});
@@ -106,10 +103,12 @@ void WindowPanels::linkTable(const Commands& commands, QDockWidget* dock) const 
   QObject::connect(m_weights, &WeightsForm::tableWanted, show, &QAction::trigger);
 }
 
+/// The title comes first, so that Tab comes there first.
 QDockWidget* WindowPanels::add(Qt::DockWidgetArea area, const char* name, const QString& title,
-                               QWidget* content) {
+                               QWidget* content, TitleLine line) {
   auto* dock = new QDockWidget(title, m_window);
   dock->setObjectName(name);
+  dock->setTitleBarWidget(line.isShown ? new PanelTitle(dock, line.extra) : new QWidget(dock));
   dock->setWidget(content);
   m_window->addDockWidget(area, dock);
   new TabRest(dock);

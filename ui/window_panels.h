@@ -25,6 +25,12 @@ class Workbench;
 /// the window. Takes them out of the window again when it goes.
 class WindowPanels {
  public:
+  /// The line above a panel.
+  struct TitleLine {
+    QWidget* extra = nullptr;  ///< stands behind the name; may be null
+    bool isShown = true;
+  };
+
   /// @param view  the scene, in which an opened step is shown
   WindowPanels(QMainWindow* window, const Workbench& bench, const Commands& commands,
                SceneArea* view);
@@ -47,7 +53,7 @@ class WindowPanels {
 
  private:
   QDockWidget* add(Qt::DockWidgetArea area, const char* name, const QString& title,
-                   QWidget* content);
+                   QWidget* content, TitleLine line);
   void addForms(const Workbench& bench, const Commands& commands);
   void addBelow(const Workbench& bench, const Commands& commands, SceneArea* view);
   void linkTable(const Commands& commands, QDockWidget* dock) const;

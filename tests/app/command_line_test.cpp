@@ -29,6 +29,7 @@ class CommandLineTest : public QObject {
   void refusesCalls_data();
   void refusesCalls();
   void refusesScenesWithTheirPlace();
+  void speaksTheLanguageOfTheEnvironment();
   void showsWhatItCanWithoutADisplay();
 
  private:
@@ -139,6 +140,20 @@ void CommandLineTest::refusesScenesWithTheirPlace() {
   QCOMPARE(outcome.status, 2);
   QCOMPARE(outcome.error, "angrycuts: " + file.toUtf8() +
                               ": weights[0].rope.length: must be from 0.001 to 10000 m, got -1\n");
+}
+
+void CommandLineTest::speaksTheLanguageOfTheEnvironment() {
+  const Outcome swedish = m_program.call({"explain"}, {{"LC_ALL", "sv_SE.UTF-8"}});
+  QCOMPARE(swedish.status, 2);
+  QVERIFY2(swedish.error.startsWith("angrycuts: explain: ingen fil"), swedish.error);
+  QVERIFY(m_program.call({"--help"}, {{"LC_ALL", "de_DE.UTF-8"}}).output.contains("Fenster"));
+  // One that it does not know is answered in English, and numbers are those of files.
+  const QString file = m_program.write("bad.json", R"({"format": "angry-cuts/scene", "version": 1,
+      "gravity": -0.5})");
+  const Outcome icelandic = m_program.call({"simulate", file}, {{"LC_ALL", "is_IS.UTF-8"}});
+  QVERIFY2(icelandic.error.contains("must be from"), icelandic.error);
+  const Outcome french = m_program.call({"simulate", file}, {{"LC_ALL", "fr_FR.UTF-8"}});
+  QVERIFY2(french.error.contains("-0.5"), french.error);
 }
 
 void CommandLineTest::showsWhatItCanWithoutADisplay() {

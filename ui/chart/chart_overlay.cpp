@@ -20,6 +20,8 @@ constexpr double kDotRadius = 5;
 constexpr double kCursorWidth = 2;
 constexpr double kGap = 8;
 constexpr double kGripSize = 7;
+constexpr double kSwatch = 14;  // a piece of the curve before its name
+constexpr double kSwatchWidth = 3;
 
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(ui::ChartOverlay)
@@ -53,8 +55,7 @@ class ReadingTable {
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, m_title);
     for (const Row& row : m_rows) {
       line.translate(0, m_metrics.height());
-      painter.setPen(row.color);
-      painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, row.name);
+      paintName(painter, line, row, theme);
       paintCells(painter, line, row, theme);
     }
   }
@@ -85,11 +86,22 @@ class ReadingTable {
   void measure() {
     m_widths.assign(m_runs, 0);
     for (const Row& row : m_rows) {
-      m_nameWidth = std::max(m_nameWidth, m_metrics.horizontalAdvance(row.name));
+      const double name = kSwatch + kGap + m_metrics.horizontalAdvance(row.name);
+      m_nameWidth = std::max(m_nameWidth, name);
       for (std::size_t i = 0; i < m_runs; ++i) {
         m_widths[i] = std::max(m_widths[i], m_metrics.horizontalAdvance(row.texts[i]));
       }
     }
+  }
+
+  /// In the color of text: thin letters need more contrast than curves have.
+  static void paintName(QPainter& painter, const QRectF& line, const Row& row, const Theme& theme) {
+    const QPointF start(line.left(), line.center().y());
+    painter.setPen(QPen(row.color, kSwatchWidth));
+    painter.drawLine(start, start + QPointF(kSwatch, 0));
+    painter.setPen(theme.text);
+    painter.drawText(line.adjusted(kSwatch + kGap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                     row.name);
   }
 
   void paintCells(QPainter& painter, const QRectF& line, const Row& row, const Theme& theme) const {

@@ -36,6 +36,7 @@ constexpr double kLeastTime = 2;  // [s]
 // So that an update takes a small part of a 30th of a second, the scene the rest.
 constexpr std::size_t kMostPoints = 10000;
 constexpr int kLeastWidth = 360;                       // px
+constexpr double kFocusWidth = 2;                      // px
 constexpr int kLeastHeight = 140, kUsualHeight = 180;  // px, on a small screen and others
 
 constexpr double kWheelFactor = 1.2;  // for each notch
@@ -91,6 +92,9 @@ void ChartWidget::setSubject(const ChartKind& kind, ChartSubject subject) {
   m_plot->setSubject(kind, std::move(subject));
   m_overlay.readTime.reset();
   setAccessibleName(kind.tip());
+  setAccessibleDescription(
+      tr("A click goes to a moment. Wheel, plus and minus zoom, dragging a box does, too; Alt and "
+         "the arrow keys move the chart, 0 shows all of it."));
   markChanged();
 }
 
@@ -413,6 +417,24 @@ void ChartWidget::paintEvent(QPaintEvent*) {
   painter.drawPixmap(0, 0, m_picture);
   painter.setFont(ChartLook::forScreen(m_theme, font()).font);
   paintOverlay(painter, m_overlay, *m_plot, plotArea(), m_theme);
+  if (hasFocus()) paintFocus(painter);
+}
+
+void ChartWidget::paintFocus(QPainter& painter) const {
+  painter.setPen(QPen(palette().color(QPalette::Highlight), kFocusWidth));
+  painter.setBrush(Qt::NoBrush);
+  const double inset = kFocusWidth / 2;
+  painter.drawRect(QRectF(rect()).adjusted(inset, inset, -inset, -inset));
+}
+
+void ChartWidget::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  update();
+}
+
+void ChartWidget::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  update();
 }
 
 }  // namespace ui

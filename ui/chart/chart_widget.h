@@ -64,6 +64,8 @@ class ChartWidget : public QWidget {
   bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
@@ -80,6 +82,7 @@ class ChartWidget : public QWidget {
   enum class Drag { kNone, kTime, kBox, kMove };
 
   void applyLook();
+  void paintFocus(QPainter& painter) const;
   void draw();
   void markChanged();
   void renderPicture();

@@ -23,6 +23,9 @@ CutSweepChart::CutSweepChart(QWidget* parent) : TradeView<CutSweepPlot>(parent) 
   // What moves with the pointer is drawn over everything.
   setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
   setAccessibleName(tr("Landing place against cut time"));
+  setAccessibleDescription(
+      tr("A click cuts the ropes at that moment; moments that hit are listed "
+         "in the table beside it."));
 }
 
 void CutSweepChart::setResult(std::shared_ptr<const CutSweepResult> result) {

@@ -44,6 +44,9 @@ SeparationChart::SeparationChart(QWidget* parent)
   setFrameShape(QFrame::NoFrame);
   setMinimumSize(kLeastSize);
   setAccessibleName(tr("Distance between the runs over time"));
+  setAccessibleDescription(
+      tr("Largest distance between the same weight in both runs, in m, on a logarithmic axis"));
+  setFocusPolicy(Qt::NoFocus);  // there is nothing to do with keys
   connect(m_frame, &ChartFrame::resized, this, &SeparationChart::refresh);
   readLook();
 }

@@ -52,6 +52,8 @@ StepPlot::StepPlot(QWidget* parent)
   setFrameShape(QFrame::NoFrame);
   setMinimumSize(kLeastSize);
   setAccessibleName(tr("The step against time"));
+  setAccessibleDescription(tr("The exact way, the slopes that the method took, and its end"));
+  setFocusPolicy(Qt::NoFocus);  // there is nothing to do with keys
   m_exact = addLineSeries(chart());
   connect(m_frame, &ChartFrame::resized, this, &StepPlot::draw);
   readLook();

@@ -20,6 +20,7 @@ class TradeView : public QChartView {
     setRenderHint(QPainter::Antialiasing);
     setFrameShape(QFrame::NoFrame);
     setMinimumSize(360, 260);
+    setFocusPolicy(Qt::NoFocus);  // what a click does the table beside it does with keys
     applyLook();
   }
 

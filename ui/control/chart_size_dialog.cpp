@@ -43,6 +43,12 @@ class Dialog : public QDialog {
       field->setSuffix(Words::tr(" mm"));
       connect(field, &QSpinBox::valueChanged, this, [this] { showPreset(); });
     }
+    m_preset->setToolTip(Words::tr("Sizes that are often wanted"));
+    m_width->setToolTip(Words::tr("Width of the chart on paper, in mm"));
+    m_height->setToolTip(Words::tr("Height of the chart on paper, in mm"));
+    m_preset->setAccessibleName(Words::tr("Purpose"));
+    m_width->setAccessibleName(Words::tr("Width"));
+    m_height->setAccessibleName(Words::tr("Height"));
     for (const Preset& preset : kPresets) m_preset->addItem(Words::tr(preset.name));
     m_preset->addItem(Words::tr("Own size"));
     connect(m_preset, &QComboBox::activated, this, [this](int index) { takePreset(index); });

@@ -68,16 +68,22 @@ AccuracyPanel::AccuracyPanel(SceneEditor* editor, QWidget* parent)
 
 void AccuracyPanel::buildControls() {
   m_until->setValue(m_time);
-  m_until->spinBox()->setAccessibleName(tr("Simulated time"));
+  m_until->setName(tr("Simulated time"),
+                   tr("How long each run is followed, in s; errors are compared at its end"));
   connect(m_until, &QuantityField::edited, this, [this](double time) { m_time = time; });
   m_against->addItems({tr("Error against cost"), tr("Error against step")});
   m_against->setAccessibleName(tr("What the chart shows"));
+  m_against->setToolTip(
+      tr("Cost is counted in slope evaluations, which the time of computing goes with"));
   connect(m_against, &QComboBox::currentIndexChanged, this, &AccuracyPanel::showAgainst);
   for (const double error : kErrors) {
     m_error->addItem(prefixedText(error, QStringLiteral("m")), error);
   }
   m_error->setCurrentIndex(kFirstError);
   m_error->setAccessibleName(tr("Right within"));
+  m_error->setToolTip(
+      tr("Largest distance from the true place that is accepted, in m: which "
+         "method reaches it at the lowest cost?"));
   connect(m_error, &QComboBox::currentIndexChanged, this, &AccuracyPanel::showFound);
   m_row->add(tr("Simulated time"), m_until);
   m_row->addLast(m_against);
@@ -89,6 +95,7 @@ void AccuracyPanel::buildControls() {
 QToolButton* AccuracyPanel::exportButton() {
   auto* button = new QToolButton;
   button->setText(tr("Export"));
+  button->setToolTip(tr("Save the chart as a picture or its figures as a table"));
   button->setIcon(icon("save"));
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setPopupMode(QToolButton::InstantPopup);

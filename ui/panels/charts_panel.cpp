@@ -87,6 +87,7 @@ void ChartsPanel::buildChoosers() {
   m_kinds->setDrawBase(false);
   m_kinds->setExpanding(false);
   m_kinds->setAccessibleName(tr("Kind of chart"));
+  m_kinds->setAccessibleDescription(tr("What the chart shows against what"));
 
   m_weight->setSpecialValueText(tr("All weights"));
   m_weight->setPrefix(tr("Weight "));

@@ -82,12 +82,18 @@ void ComparisonPanel::buildTable() {
   m_table->setHorizontalHeaderLabels(
       {tr("Run"), tr("Apart (m)"), tr("Drift (J)"), tr("Drift (%)"), tr("Slopes")});
   m_table->horizontalHeaderItem(kDistance)->setToolTip(
-      tr("Largest distance between the same weight in both runs, now"));
-  m_table->horizontalHeaderItem(kDrift)->setToolTip(tr("Energy the method got wrong so far"));
+      tr("Largest distance between the same weight in both runs, now: max |p − p'|, in m"));
+  m_table->horizontalHeaderItem(kDrift)->setToolTip(
+      tr("Energy the method got wrong so far, in J: kinetic + potential + losses − energy at "
+         "the start"));
   m_table->horizontalHeaderItem(kDriftShare)
       ->setToolTip(tr("The same as a share of the energy at the start"));
   m_table->horizontalHeaderItem(kEvaluations)->setToolTip(tr("Slope evaluations so far"));
+  m_table->horizontalHeaderItem(kName)->setToolTip(tr("Method and step of the run"));
   m_table->setAccessibleName(tr("Runs in figures"));
+  m_table->setAccessibleDescription(
+      tr("How far the runs are apart, and what each got wrong, at the moment shown"));
+  m_table->setToolTip(m_table->accessibleDescription());
   m_table->verticalHeader()->hide();
   // One line each, so that all four are in sight in the lowest window.
   m_table->setWordWrap(false);

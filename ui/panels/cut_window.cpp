@@ -108,11 +108,13 @@ void CutWindow::buildControls() {
   m_weight->setAccessibleName(tr("Weight that is to hit the target"));
   m_weight->setToolTip(tr("Which weight, counted from the left"));
   m_run->setAccessibleName(tr("Method that finds the moments"));
+  m_run->setToolTip(m_run->accessibleName());
   m_run->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  m_center->spinBox()->setAccessibleName(tr("Center of the target"));
-  m_width->spinBox()->setAccessibleName(tr("Width of the target"));
-  m_from->spinBox()->setAccessibleName(tr("First cut time"));
-  m_until->spinBox()->setAccessibleName(tr("Last cut time"));
+  m_center->setName(tr("Center of the target"),
+                    tr("Where the middle of the target lies, x in m from the left wall"));
+  m_width->setName(tr("Width of the target"), tr("How wide the target is, in m"));
+  m_from->setName(tr("First cut time"), tr("The earliest moment to cut, in s"));
+  m_until->setName(tr("Last cut time"), tr("The latest moment to cut, in s"));
   m_from->setValue(m_firstCut);
   m_until->setValue(m_lastCut);
   m_row->add(tr("Cut between"), m_from);
@@ -176,6 +178,7 @@ QWidget* CutWindow::questionRow() {
 QToolButton* CutWindow::exportButton() {
   auto* button = new QToolButton;
   button->setText(tr("Export"));
+  button->setToolTip(tr("Save the chart as a picture or its figures as a table"));
   button->setIcon(icon("save"));
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setPopupMode(QToolButton::InstantPopup);

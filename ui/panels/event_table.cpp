@@ -137,11 +137,21 @@ QVariant EventTable::data(const QModelIndex& index, int role) const {
   }
 }
 
+QString EventTable::meaningOf(int column) {
+  const QString meanings[] = {
+      tr("When it happened, t in s"),
+      tr("What happened"),
+      tr("The weights it happened to, counted from the left"),
+      tr("Speed |v| right before, in m/s. Of the weight; where two meet, of the first named"),
+      tr("Speed |v| right after, in m/s. Of the weight; where two meet, of the first named"),
+      tr("Kinetic energy turned into heat by the event, in J. Between two weights "
+         "½ (1 − e²) μ v², with the speed v towards each other and 1/μ = 1/m₁ + 1/m₂")};
+  return meanings[column];
+}
+
 QVariant EventTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  const bool isSpeed = section == kSpeedBefore || section == kSpeedAfter;
-  if (role == Qt::ToolTipRole && isSpeed)
-    return tr("Of the weight; where two meet, of the first named");
+  if (role == Qt::ToolTipRole) return meaningOf(section);
   if (role != Qt::DisplayRole) return {};
   const QString names[] = {tr("Time (s)"),     tr("Event"),       tr("Weight"),
                            tr("Before (m/s)"), tr("After (m/s)"), tr("Energy lost (J)")};

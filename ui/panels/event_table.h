@@ -49,6 +49,7 @@ class EventTable : public QAbstractTableModel {
   bool isListed(const core::Event& event) const;
   void listAnew();
   void listFrom(std::size_t first, std::vector<std::uint32_t>& rows) const;
+  static QString meaningOf(int column);
   QString textOf(const core::Event& event, int column) const;
 
   const core::EventLog* m_log = nullptr;

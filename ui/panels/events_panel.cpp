@@ -56,6 +56,9 @@ EventsPanel::EventsPanel(RunController* controller, EventNavigator* events, QWid
 void EventsPanel::buildTable() {
   m_view->setModel(m_table);
   m_view->setAccessibleName(tr("Events"));
+  m_view->setAccessibleDescription(
+      tr("What happened in the run; choosing an event shows its moment"));
+  m_view->setToolTip(m_view->accessibleDescription());
   m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
   m_view->setAlternatingRowColors(true);
@@ -112,11 +115,13 @@ void EventsPanel::buildFilters() {
   m_weight->setObjectName("eventWeight");
   m_runs->setObjectName("eventRun");
   m_kinds->setAccessibleName(tr("Kinds of events"));
+  m_kinds->setToolTip(tr("Kinds of events that are listed"));
   m_weight->setAccessibleName(tr("Weight whose events are listed"));
   m_weight->setToolTip(tr("Weight whose events are listed, counted from the left"));
   m_weight->setSpecialValueText(tr("All weights"));
   m_weight->setPrefix(tr("Weight "));
   m_runs->setAccessibleName(tr("Run whose events are listed"));
+  m_runs->setToolTip(m_runs->accessibleName());
   m_runs->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* copyButton = new QToolButton;
   copyButton->setIcon(icon("copy"));

@@ -19,6 +19,7 @@ FormArea::FormArea(QWidget* form, Height height) : m_height(height) {
   setWidget(form);
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);  // the fields in it have it
   fitToForm();
 }
 

@@ -40,6 +40,7 @@ HitTable::HitTable(QWidget* parent) : QTableWidget(parent) {
   setAlternatingRowColors(true);
   setAccessibleName(tr("Moments that hit"));
   setToolTip(tr("Double-click a row, or press Return, to cut then"));
+  setAccessibleDescription(toolTip());
   connect(this, &QTableWidget::cellActivated, this,
           [this](int row) { emit momentPicked(m_moments[static_cast<std::size_t>(row)]); });
 }

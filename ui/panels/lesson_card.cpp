@@ -30,7 +30,8 @@ void paintCard(QPainter& painter, const QStyleOptionViewItem& option) {
   const bool under = option.state.testFlag(QStyle::State_MouseOver);
   const QColor edge =
       option.palette.color(chosen || under ? QPalette::Highlight : QPalette::PlaceholderText);
-  const double width = chosen ? 3 : 1;
+  // Thicker where the arrow keys would move it.
+  const double width = !chosen ? 1 : option.state.testFlag(QStyle::State_HasFocus) ? 5 : 2;
   const QRectF card = QRectF(option.rect).adjusted(kGap, kGap, -kGap, -kGap);
   painter.setPen(QPen(edge, width));
   painter.setBrush(option.palette.color(QPalette::Base));

@@ -75,6 +75,8 @@ LessonChooser::LessonChooser(QWidget* parent)
   m_list->setMouseTracking(true);
   m_list->setItemDelegate(new LessonCard(m_list));
   m_list->setAccessibleName(tr("Lessons"));
+  m_list->setAccessibleDescription(tr("Arrow keys and Enter, or a click, open a lesson."));
+  m_list->setToolTip(m_list->accessibleDescription());
   addLessons();
 
   auto* hint = new QLabel(tr("Arrow keys and Enter, or a click, open a lesson."));

@@ -40,6 +40,7 @@ MeasurementTable::MeasurementTable(QWidget* parent) : QTableWidget(parent) {
   setAlternatingRowColors(true);
   setAccessibleName(tr("Measured points"));
   setToolTip(tr("Double-click a row, or press Return, to open it as a run"));
+  setAccessibleDescription(toolTip());
   connect(this, &QTableWidget::cellActivated, this,
           [this](int row) { emit rowPicked(m_solvers[static_cast<std::size_t>(row)]); });
 }

@@ -156,6 +156,7 @@ QWidget* PlaybackBar::speedBox() {
   m_speedSlider->setFixedWidth(kSliderWidth);
   m_speedSlider->setAccessibleName(tr("Speed"));
   m_speedSlider->setToolTip(tr("Speed (, and .)"));
+  m_speedLabel->setToolTip(tr("Simulated seconds in a second of real time"));
   m_speedLabel->setAlignment(Qt::AlignHCenter);
   layout->addStretch(1);
   layout->addWidget(m_speedLabel);
@@ -173,6 +174,7 @@ QWidget* PlaybackBar::timeBox() {
   layout->setSpacing(kSpacing);
   m_timeLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_timeLabel->setAccessibleName(tr("Simulated time"));
+  m_timeLabel->setToolTip(tr("Simulated time t, in s: the moment that all views show"));
   m_paceLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_paceLabel->setObjectName("pace");
   m_paceLabel->setToolTip(tr("Whether the computer keeps up with the chosen speed"));

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include <QAction>
 #include <QCoreApplication>
 #include <QToolBar>
 
@@ -27,6 +28,8 @@ QToolBar* sceneToolbar(const Commands& commands) {
   add({Command::kTrails, Command::kVelocities, Command::kForces, Command::kTensions});
   bar->addSeparator();
   add({Command::kTape, Command::kProtractor, Command::kStopwatch});
+  for (QAction* action : bar->actions())
+    if (!action->isSeparator()) bar->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
   return bar;
 }
 

@@ -54,6 +54,8 @@ StabilityPanel::StabilityPanel(SceneEditor* editor, QWidget* parent)
   layout->addWidget(m_row);
   layout->addWidget(m_chart, 1);
   m_chart->setAccessibleName(tr("Stability map"));
+  m_chart->setAccessibleDescription(
+      tr("For which steps the run keeps its energy, and for which it grows beyond all bounds"));
   m_steps->setWordWrap(true);
   m_steps->setContentsMargins(12, 6, 12, 10);
   m_steps->setAlignment(Qt::AlignTop);
@@ -72,11 +74,15 @@ void StabilityPanel::buildControls() {
     if (!method.isAdaptive) m_method->addItem(methodWords(method), QVariant::fromValue(&method));
   }
   m_method->setAccessibleName(tr("Method of the map"));
+  m_method->setToolTip(m_method->accessibleName());
   m_quantity->setAccessibleName(tr("What the map changes besides the step"));
+  m_quantity->setToolTip(m_quantity->accessibleName());
   m_until->setValue(m_time);
-  m_until->spinBox()->setAccessibleName(tr("Simulated time of each run"));
+  m_until->setName(tr("Simulated time of each run"),
+                   tr("How long each run is followed, in s: what grows slowly needs time to show"));
   connect(m_until, &QuantityField::edited, this, [this](double time) { m_time = time; });
   m_export->setText(tr("Export…"));
+  m_export->setToolTip(tr("Save the map as a picture"));
   m_export->setIcon(icon("save"));
   m_export->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   connect(m_export, &QToolButton::clicked, this, &StabilityPanel::askAndSaveMap);

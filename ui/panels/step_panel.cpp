@@ -78,6 +78,7 @@ void StepPanel::buildChoosers() {
   m_weight->setToolTip(tr("Which weight, counted from the left"));
   m_run->setFocusPolicy(Qt::TabFocus);
   m_run->setAccessibleName(tr("Run whose step is shown"));
+  m_run->setToolTip(m_run->accessibleName());
   m_run->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   m_part->setFocusPolicy(Qt::TabFocus);
   m_part->setAccessibleName(tr("Part of the step"));

@@ -75,6 +75,9 @@ QString stageName(std::size_t index) {
 
 StepTable::StepTable(QWidget* parent) : QTableWidget(parent) {
   setAccessibleName(tr("The step in numbers"));
+  setAccessibleDescription(
+      tr("The slopes that the method took on its way, and where other methods end"));
+  setToolTip(accessibleDescription());
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setSelectionMode(QAbstractItemView::NoSelection);
   setFocusPolicy(Qt::TabFocus);
@@ -122,6 +125,14 @@ void StepTable::showLines(const std::vector<Line>& lines, core::Mode mode) {
   for (const StateQuantity& quantity : quantities)
     headers << tr("%1 in %2\nslope in %3").arg(quantity.symbol, quantity.unit, quantity.slopeUnit);
   setHorizontalHeaderLabels(headers << tr("Error\nin m"));
+  horizontalHeaderItem(0)->setToolTip(
+      tr("Share of the slope in the mean that the step is taken with"));
+  for (int i = 0; i < count; ++i)
+    horizontalHeaderItem(i + 1)->setToolTip(
+        tr("%1 at the start and the end, and as a slope how fast it changes")
+            .arg(quantities[i].symbol));
+  horizontalHeaderItem(count + 1)->setToolTip(
+      tr("Distance of the end from the exact one, in m: the error of this step alone"));
   // A header keeps a smaller font of its own.
   horizontalHeader()->setFont(font());
   for (int row = 0; row < rowCount(); ++row) {

@@ -32,6 +32,7 @@ TaskRow::TaskRow(BackgroundTask* task, const QString& start, QWidget* parent)
   keepsItsPlace.setRetainSizeWhenHidden(true);
   m_progress->setSizePolicy(keepsItsPlace);
   m_progress->hide();
+  m_button->setToolTip(tr("Compute in the background; the same button stops it"));
   m_layout->addWidget(m_button);
   m_layout->addWidget(m_progress, 1);
   connect(m_button, &QPushButton::clicked, this, &TaskRow::press);
@@ -46,6 +47,19 @@ void TaskRow::add(const QString& name, QWidget* control) {
 
 void TaskRow::addLast(QWidget* control) {
   m_layout->addWidget(control);
+}
+
+/// The button was there first, but stands among the others.
+void TaskRow::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  QWidget* last = nullptr;
+  for (int i = 0; i < m_layout->count(); ++i) {
+    QWidget* control = m_layout->itemAt(i)->widget();
+    if (!control || qobject_cast<QLabel*>(control) || control == m_progress) continue;
+    if (control->focusProxy()) control = control->focusProxy();
+    if (last) setTabOrder(last, control);
+    last = control;
+  }
 }
 
 void TaskRow::press() {

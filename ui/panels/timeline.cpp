@@ -44,6 +44,9 @@ Timeline::Timeline(RunController* controller, const EventNavigator* events, QWid
     : QWidget(parent), m_controller(controller), m_events(events) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Timeline"));
+  setAccessibleDescription(
+      tr("The recording from its start to its end, with marks for events. A click or dragging "
+         "shows another moment; Home, End and the arrow keys do, too."));
   setCursor(Qt::PointingHandCursor);
   const auto refresh = [this] { update(); };
   connect(controller, &RunController::restarted, this, [this] { m_marksKey = {}; });

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QScreen>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -31,6 +32,8 @@ TradeWindow::TradeWindow(SceneEditor* editor, QWidget* parent)
   tabs->setDocumentMode(true);
   tabs->addTab(m_accuracy, tr("Speed and accuracy"));
   tabs->addTab(m_stability, tr("Stability"));
+  tabs->tabBar()->setAccessibleName(tr("What is measured"));
+  tabs->tabBar()->setAccessibleDescription(tr("What accuracy costs, or how large steps may be"));
   m_opened->setContentsMargins(12, 0, 12, 8);
   m_opened->hide();
   auto* layout = new QVBoxLayout(this);

@@ -160,6 +160,49 @@ QStringList holdings() {
   return {Words::tr("nothing"), Words::tr("rope"), Words::tr("rod")};
 }
 
+QString columnMeaning(WeightColumn column) {
+  // Where a form has the same field it says the same.
+  const auto ofForm = [](const char* words) {
+    return QCoreApplication::translate("ui::WeightsForm", words);
+  };
+  switch (column) {
+    case WeightColumn::kMass:
+      return ofForm(
+          "Mass m, in kg. It does not matter for a swing without air; with air a heavier "
+          "weight is slowed down less.");
+    case WeightColumn::kRadius:
+      return ofForm("Radius r, in m. Air meets the area A = π r².");
+    case WeightColumn::kDragCoefficient:
+      return ofForm(
+          "Drag coefficient c_d, without unit: how well the shape is held up by air. "
+          "0.47 for a sphere.");
+    case WeightColumn::kColor:
+      return Words::tr("Color of the weight, such as #e69f00, or automatic");
+    case WeightColumn::kHangsOn:
+      return Words::tr("What holds the weight at the start: a rope, a rod, or nothing");
+    case WeightColumn::kPivotX:
+    case WeightColumn::kPivotY:
+      return Words::tr("Where the rope is tied: x from the left wall, y from the floor, in m");
+    case WeightColumn::kLength:
+      return ofForm(
+          "Length of the rope L, in m: from its pivot to the center of the weight. A "
+          "small swing takes T = 2π √(L/g).");
+    case WeightColumn::kAngle:
+      return ofForm(
+          "Angle θ of the rope at the start, in degrees from straight down, positive to "
+          "the right.");
+    case WeightColumn::kAngularVelocity:
+      return Words::tr("Angular velocity ω at the start, in °/s, positive counterclockwise");
+    case WeightColumn::kX:
+    case WeightColumn::kY:
+      return Words::tr(
+          "Center of the weight at the start: x from the left wall, y from the floor, "
+          "in m");
+    default:
+      return Words::tr("Velocity v at the start: x to the right, y up, in m/s");
+  }
+}
+
 QString columnName(WeightColumn column) {
   return Words::tr(columnAt(column).name);
 }

@@ -32,6 +32,8 @@ inline constexpr int kWeightColumnCount = 14;
 
 /// "Angular velocity".
 QString columnName(WeightColumn column);
+/// What stands in it, in a sentence or two, with symbol and unit.
+QString columnMeaning(WeightColumn column);
 /// The name and the unit in brackets: "Angular velocity [°/s]".
 QString columnHeading(WeightColumn column);
 /// What a weight can hang on, in words: nothing, a rope, a rod.

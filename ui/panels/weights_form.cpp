@@ -90,6 +90,7 @@ void WeightsForm::addBodyRows() {
 void WeightsForm::addTableButton() {
   auto* button = new QPushButton(icon("table"), tr("All weights in a table…"));
   button->setFocusPolicy(Qt::TabFocus);
+  button->setToolTip(tr("Change many weights at once, and copy them from and to spreadsheets"));
   connect(button, &QPushButton::clicked, this, &WeightsForm::tableWanted);
   rows()->addRow(button);
 }

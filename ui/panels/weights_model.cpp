@@ -110,6 +110,7 @@ QVariant WeightsModel::data(const QModelIndex& index, int role) const {
 
 QVariant WeightsModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Vertical) return rowHeader(section, role);
+  if (role == Qt::ToolTipRole) return columnMeaning(static_cast<WeightColumn>(section));
   if (role != Qt::DisplayRole) return {};
   // Below each other, so that columns are no wider than their numbers need.
   const auto column = static_cast<WeightColumn>(section);

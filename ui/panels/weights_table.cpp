@@ -82,6 +82,9 @@ void WeightsTable::buildView() {
   m_view->setModel(m_model);
   m_view->setObjectName("weightsTable");
   m_view->setAccessibleName(tr("Weights table"));
+  m_view->setAccessibleDescription(
+      tr("One row for each weight. Return edits a cell, of all selected rows at once."));
+  m_view->setToolTip(m_view->accessibleDescription());
   m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
   m_view->setAlternatingRowColors(true);
   m_view->setWordWrap(false);

@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
-#include "ui/panels/weight_columns.h"
 #include "ui/control/words.h"
+#include "ui/panels/weight_columns.h"
 #include "ui/panels/weights_clipboard.h"
 
 class QAction;

@@ -40,6 +40,9 @@ class SceneArea : public QWidget {
   /// Shows a target on the floor, with a landing for each run; nothing: none.
   void setTarget(const std::optional<ShownTarget>& target);
 
+  /// See SceneView; split views show the same, so that one speaks for all.
+  void announce(const QString& words) { m_views.front()->announce(words); }
+
   bool isSplit() const { return m_split; }
   /// In the order of the runs; one for all where they are not split.
   const std::vector<SceneView*>& views() const { return m_views; }

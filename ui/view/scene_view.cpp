@@ -4,11 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include <QAccessible>
 #include <QEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
 #include "ui/view/opengl_probe.h"
+#include "ui/view/scene_accessible.h"
 #include "ui/view/scene_canvas.h"
 #include "ui/view/scene_drawing.h"
 #include "ui/view/scene_look.h"
@@ -231,7 +233,21 @@ SceneView::SceneView(QWidget* parent)
   setFocusPolicy(Qt::ClickFocus);
   setMinimumSize(240, 140);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  installSceneAccessible();
+  nameParts();
+}
+
+void SceneView::nameParts() {
   setAccessibleName(tr("Scene"));
+  setAccessibleDescription(
+      tr("The room with its weights and ropes. A click selects a weight, the wheel zooms, "
+         "dragging moves the view."));
+}
+
+void SceneView::announce(const QString& words) {
+  m_announcement = words;
+  QAccessibleValueChangeEvent event(this, words);
+  QAccessible::updateAccessibility(&event);
 }
 
 SceneView::~SceneView() = default;
@@ -320,6 +336,7 @@ void SceneView::changeEvent(QEvent* event) {
                               event->type() == QEvent::FontChange ||
                               event->type() == QEvent::LanguageChange;
   if (looksDifferent) m_content->readLook();
+  if (event->type() == QEvent::LanguageChange) nameParts();
   QWidget::changeEvent(event);
 }
 

@@ -87,6 +87,10 @@ class SceneView : public QWidget {
   /// Sees what another view of the same scene and size sees.
   void follow(const SceneView& other);
 
+  /// Tells screen readers that something happened.
+  void announce(const QString& words);
+  const QString& announcement() const { return m_announcement; }
+
   /// What draws now, in words for the status bar: "OpenGL 4.5 (llvmpipe)" or "QPainter
   /// (software OpenGL would be slower)".
   QString painterDescription() const;
@@ -115,9 +119,12 @@ class SceneView : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 
  private:
+  void nameParts();
+
   class Content;
   std::unique_ptr<Content> m_content;
   std::unique_ptr<SceneMouse> m_mouse;
+  QString m_announcement;
 };
 
 }  // namespace ui

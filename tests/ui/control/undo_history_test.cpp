@@ -86,7 +86,7 @@ void UndoHistoryTest::forgetsTheOldestStepsWhereMemoryEnds() {
   ui::UndoHistory history(3 * bytes + bytes / 2);
   for (int i = 1; i <= 5; ++i) history.add(stepOf(changeOfAll(before, i), QString::number(i)));
   QCOMPARE(history.position(), 5);
-  QCOMPARE(history.stepBefore(2)->words, QString("3"));
+  QCOMPARE(history.stepBefore(2)->words.text(), QString("3"));
   QVERIFY(!history.stepBefore(3));
 }
 
@@ -94,7 +94,7 @@ void UndoHistoryTest::keepsTheLatestStepHoweverLarge() {
   ui::UndoHistory history(1);
   const core::Scene before = core::withWeightCount(core::Scene(), 9);
   for (int i = 1; i <= 2; ++i) history.add(stepOf(changeOfAll(before, i), QString::number(i)));
-  QCOMPARE(history.undoStep()->words, QString("2"));
+  QCOMPARE(history.undoStep()->words.text(), QString("2"));
   QVERIFY(!history.stepBefore(1));
 }
 

@@ -101,6 +101,8 @@ class ThemeTest : public QObject {
   void runsStandOutFromTheGround();
   void energiesCanBeToldApart_data() { addThemes(); }
   void energiesCanBeToldApart();
+  void textCanBeRead_data() { addThemes(); }
+  void textCanBeRead();
   void energiesStandOutFromTheGround_data() { addThemes(); }
   void energiesStandOutFromTheGround();
   void weightsCanBeToldApart();
@@ -148,6 +150,13 @@ void ThemeTest::energiesCanBeToldApart() {
   const ui::Theme theme = themeNamed(dark);
   // Thin lines beside each other in a chart, and on a timeline and in a step's slopes.
   for (const Eye& eye : eyes()) QVERIFY2(leastDifference(energies(theme), eye) >= 20, eye.name);
+}
+
+void ThemeTest::textCanBeRead() {
+  QFETCH(bool, dark);
+  const ui::Theme theme = themeNamed(dark);
+  for (const QColor& ground : {theme.background, theme.room})
+    for (const QColor& text : {theme.text, theme.faintText}) QVERIFY(contrast(text, ground) >= 4.5);
 }
 
 void ThemeTest::energiesStandOutFromTheGround() {

@@ -1,0 +1,220 @@
+#include "tests/support/access_check.h"
+
+#include <algorithm>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QImage>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTabBar>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+#include <QWidget>
+
+namespace tests {
+namespace {
+
+constexpr int kMostSteps = 500;  // of Tab, before it should have come round
+
+bool isBehindATab(const QWidget* widget) {
+  while (widget && !qobject_cast<const QDockWidget*>(widget)) widget = widget->parentWidget();
+  const auto* dock = qobject_cast<const QDockWidget*>(widget);
+  return dock && !dock->widget()->isVisible();
+}
+
+/// Qt's own parts of a widget are named with it.
+bool isPartOfAnother(const QWidget* widget) {
+  const QWidget* parent = widget->parentWidget();
+  if (qobject_cast<const QLineEdit*>(widget))
+    return qobject_cast<const QAbstractSpinBox*>(parent) || qobject_cast<const QComboBox*>(parent);
+  if (qobject_cast<const QScrollBar*>(widget) || qobject_cast<const QHeaderView*>(widget))
+    return true;
+  if (qobject_cast<const QAbstractButton*>(widget))
+    return qobject_cast<const QTabBar*>(parent) || qobject_cast<const QTableView*>(parent) ||
+           widget->inherits("QDockWidgetTitleButton") || widget->inherits("QToolBarExtension") ||
+           widget->inherits("QMenuBarExtension");
+  for (const QWidget* above = parent; above; above = above->parentWidget())
+    if (qobject_cast<const QComboBox*>(above)) return true;
+  return false;
+}
+
+bool isDrawing(const QWidget* widget) {
+  static const QStringList kDrawings{
+      "ui::ChartWidget", "ui::SceneView",     "ui::Timeline",          "ui::SeparationChart",
+      "ui::StepPlot",    "ui::CutSweepChart", "ui::WorkPrecisionPlot", "ui::StabilityPlot"};
+  return widget->inherits("QChartView") ||
+         kDrawings.contains(QString::fromLatin1(widget->metaObject()->className()));
+}
+
+bool isControl(const QWidget* widget) {
+  if (widget->inherits("QToolBarSeparator")) return false;
+  return qobject_cast<const QAbstractButton*>(widget) ||
+         qobject_cast<const QAbstractSpinBox*>(widget) ||
+         qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+         qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QTabBar*>(widget) ||
+         qobject_cast<const QAbstractItemView*>(widget) || isDrawing(widget) ||
+         ((widget->focusPolicy() & Qt::TabFocus) != 0 && !widget->focusProxy());
+}
+
+QString described(const QWidget* widget) {
+  const QWidget* panel = widget;
+  while (panel->parentWidget() && !qobject_cast<const QDockWidget*>(panel) && !panel->isWindow())
+    panel = panel->parentWidget();
+  const auto* button = qobject_cast<const QAbstractButton*>(widget);
+  const QString name = !widget->accessibleName().isEmpty() ? widget->accessibleName()
+                       : button                            ? button->text()
+                                                           : widget->objectName();
+  return QStringLiteral("%1 “%2” in %3")
+      .arg(QString::fromLatin1(widget->metaObject()->className()), name,
+           panel->objectName().isEmpty() ? panel->windowTitle() : panel->objectName());
+}
+
+/// The panel that a widget belongs to, within which the order is judged.
+const QWidget* panelOf(const QWidget* widget) {
+  while (widget->parentWidget() && !widget->isWindow()) {
+    if (qobject_cast<const QDockWidget*>(widget)) return widget;
+    const QWidget* parent = widget->parentWidget();
+    if (parent->isWindow()) return widget;
+    widget = parent;
+  }
+  return widget;
+}
+
+QRect placeOf(const QWidget* widget) {
+  return {widget->mapTo(widget->window(), QPoint(0, 0)), widget->size()};
+}
+
+bool takesTab(const QWidget* widget) {
+  return widget->isVisible() && widget->isEnabled() &&
+         (widget->focusPolicy() & Qt::TabFocus) != 0 && !widget->focusProxy();
+}
+
+}  // namespace
+
+QList<QWidget*> controlsIn(const QWidget& window) {
+  QList<QWidget*> controls;
+  for (QWidget* widget : window.findChildren<QWidget*>())
+    if (widget->window() == &window && widget->isVisible() && !isBehindATab(widget) &&
+        isControl(widget) && !isPartOfAnother(widget))
+      controls << widget;
+  return controls;
+}
+
+QStringList namelessIn(const QWidget& window) {
+  QStringList nameless;
+  for (QWidget* widget : controlsIn(window)) {
+    const QAccessibleInterface* face = QAccessible::queryAccessibleInterface(widget);
+    if (!face) {
+      nameless << described(widget) + ": unknown to screen readers";
+      continue;
+    }
+    if (face->text(QAccessible::Name).isEmpty()) nameless << described(widget) + ": no name";
+    // What a button in a dialog does it says itself.
+    const bool isPlainButton = qobject_cast<QPushButton*>(widget) && window.inherits("QDialog");
+    // Qt's tabs keep theirs to themselves.
+    const QString description = qobject_cast<QTabBar*>(widget)
+                                    ? widget->accessibleDescription()
+                                    : face->text(QAccessible::Description);
+    if (description.isEmpty() && !isPlainButton) nameless << described(widget) + ": no description";
+    // Over drawings a tip would hide what it explains.
+    const bool hasTip =
+        !widget->toolTip().isEmpty() || qobject_cast<QTabBar*>(widget) || isDrawing(widget);
+    if (!hasTip && !isPlainButton) nameless << described(widget) + ": no tip";
+  }
+  return nameless;
+}
+
+QStringList unexplainedColumnsIn(const QWidget& window) {
+  QStringList unexplained;
+  for (const QTableView* table : window.findChildren<QTableView*>()) {
+    if (!table->isVisibleTo(&window) || !table->model()) continue;
+    for (int i = 0; i < table->model()->columnCount(); ++i)
+      if (table->model()->headerData(i, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty())
+        unexplained << described(table) + ": " +
+                           table->model()->headerData(i, Qt::Horizontal).toString();
+  }
+  return unexplained;
+}
+
+QList<QWidget*> tabChainOf(QWidget& window) {
+  QList<QWidget*> chain;
+  if (QWidget* focus = QApplication::focusWidget()) focus->clearFocus();
+  for (int i = 0; i < kMostSteps; ++i) {
+    QWidget* from = QApplication::focusWidget();
+    QTest::keyClick(from ? from : &window, Qt::Key_Tab);
+    QWidget* now = QApplication::focusWidget();
+    if (!now || chain.contains(now)) break;
+    chain << now;
+  }
+  // It goes on from where the keyboard was last; what comes first is the window's affair.
+  const QWidget* first = &window;
+  while (!chain.isEmpty() && !chain.contains(first)) first = first->nextInFocusChain();
+  const auto start = std::ranges::find(chain, first);
+  std::rotate(chain.begin(), start, chain.end());
+  return chain;
+}
+
+QStringList missedByTab(QWidget& window) {
+  const QList<QWidget*> chain = tabChainOf(window);
+  QStringList missed;
+  for (QWidget* widget : controlsIn(window))
+    if (takesTab(widget) && !chain.contains(widget)) missed << described(widget);
+  if (chain.isEmpty()) missed << QStringLiteral("everything");
+  return missed;
+}
+
+QStringList backwardStepsOfTab(QWidget& window) {
+  QStringList backward;
+  QHash<const QWidget*, QWidget*> last;  // of each panel
+  for (QWidget* widget : tabChainOf(window)) {
+    const QWidget* panel = panelOf(widget);
+    if (QWidget* before = last.value(panel)) {
+      const QRect from = placeOf(before);
+      const QRect to = placeOf(widget);
+      const bool isAbove = to.bottom() <= from.top();
+      const bool isInLine = to.top() < from.bottom() && from.top() < to.bottom();
+      if (isAbove || (isInLine && to.right() <= from.left()))
+        backward << described(before) + " → " + described(widget);
+    }
+    last[panel] = widget;
+  }
+  return backward;
+}
+
+namespace {
+
+/// A table without rows has no place that the keyboard could be at; and a button of a dialog that
+/// Return presses from anywhere looks as if it had the keyboard at all times.
+bool showsNoFocus(const QWidget* widget) {
+  const auto* view = qobject_cast<const QAbstractItemView*>(widget);
+  const bool isEmpty = view && (!view->model() || view->model()->rowCount() == 0);
+  const auto* button = qobject_cast<const QPushButton*>(widget);
+  return isEmpty || (button && button->autoDefault());
+}
+
+}  // namespace
+
+QStringList focusNotSeenIn(QWidget& window) {
+  QStringList unseen;
+  for (QWidget* widget : tabChainOf(window)) {
+    if (showsNoFocus(widget)) continue;
+    widget->setFocus(Qt::TabFocusReason);
+    const QImage with = widget->grab().toImage();
+    widget->clearFocus();
+    const QImage without = widget->grab().toImage();
+    if (with == without) unseen << described(widget);
+  }
+  return unseen;
+}
+
+}  // namespace tests

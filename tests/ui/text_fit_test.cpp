@@ -1,0 +1,184 @@
+// Every text fits its widget, in all languages, on a screen of 1280 × 720 pixels.
+#include "tests/support/text_fit.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QScreen>
+#include <QSettings>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "ui/control/chart_size_dialog.h"
+#include "ui/control/commands.h"
+#include "ui/control/run_controller.h"
+#include "ui/control/translations.h"
+#include "ui/files/scene_file.h"
+#include "ui/main_window.h"
+#include "ui/panels/cut_window.h"
+#include "ui/panels/help_dialogs.h"
+#include "ui/panels/lesson_chooser.h"
+#include "ui/panels/trade_window.h"
+
+using ui::Command;
+using ui::Language;
+using ui::MainWindow;
+
+namespace {
+
+constexpr QSize kScreen(1280, 720);
+constexpr int kTitleBar = 24;  // px, of the desktop's frame
+
+/// As the platform of tests wants to be told what screens there are.
+const char* const kScreens =
+    R"({"screens": [{"name": "projector", "x": 0, "y": 0, "width": 1280, "height": 720,
+        "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}]})";
+
+void settle() {
+  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+}
+
+void addLanguages() {
+  QTest::addColumn<Language>("language");
+  for (int i = 1; i < ui::kLanguageCount; ++i) {
+    const auto language = static_cast<Language>(i);
+    QTest::newRow(qPrintable(ui::nameOf(language))) << language;
+  }
+}
+
+}  // namespace
+
+class TextFitTest : public QObject {
+  Q_OBJECT
+
+ public:
+  static void initMain();
+
+ private slots:
+  void initTestCase() { QCOMPARE(QGuiApplication::primaryScreen()->size(), kScreen); }
+  void init();
+  void cleanup();
+  void seesWhatIsCutOff();
+  void fitsInThePanels_data() { addLanguages(); }
+  void fitsInThePanels();
+  void fitsInTheOtherWindows_data() { addLanguages(); }
+  void fitsInTheOtherWindows();
+  void fitsInTheDialogs_data() { addLanguages(); }
+  void fitsInTheDialogs();
+
+ private:
+  std::unique_ptr<MainWindow> m_window;
+};
+
+void TextFitTest::initMain() {
+  static const QTemporaryDir folder;
+  QFile screens(folder.filePath("screens.json"));
+  if (!screens.open(QIODevice::WriteOnly)) qFatal("no screen");
+  screens.write(kScreens);
+  qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + screens.fileName().toUtf8());
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+}
+
+void TextFitTest::init() {
+  m_window = std::make_unique<MainWindow>(ui::builtInScene("seven-weights"));
+  m_window->setWindowState(Qt::WindowNoState);
+  m_window->resize(kScreen - QSize(0, kTitleBar));
+  m_window->show();
+}
+
+void TextFitTest::cleanup() {
+  m_window.reset();
+  ui::speak(Language::kEnglish);
+}
+
+void TextFitTest::seesWhatIsCutOff() {
+  QWidget window;
+  auto* label = new QLabel("Kinetic energy", &window);
+  auto* button = new QPushButton("Give up the change", &window);
+  label->resize(label->sizeHint());
+  button->resize(button->sizeHint());
+  window.show();
+  QCOMPARE(tests::cutTextsIn(window), QStringList());
+  label->resize(label->width() - 5, label->height());
+  button->resize(button->width() - 5, button->height());
+  QCOMPARE(tests::cutTextsIn(window).size(), 2);
+}
+
+void TextFitTest::fitsInThePanels() {
+  QFETCH(Language, language);
+  m_window->speak(language);
+  m_window->controller()->stepOnce();
+  QStringList cut;
+  for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
+    dock->show();
+    dock->raise();
+    settle();
+    cut << tests::cutTextsIn(*m_window);
+  }
+  cut.removeDuplicates();
+  QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+  const QSize least = m_window->minimumSizeHint();
+  QVERIFY2(least.width() <= kScreen.width(), qPrintable(QString::number(least.width())));
+  QVERIFY2(least.height() <= kScreen.height() - kTitleBar,
+           qPrintable(QString::number(least.height())));
+}
+
+void TextFitTest::fitsInTheOtherWindows() {
+  QFETCH(Language, language);
+  m_window->speak(language);
+  QStringList cut;
+  for (const Command command : {Command::kMeasure, Command::kWhenToCut, Command::kLessons})
+    m_window->commands().action(command)->trigger();
+  settle();
+  for (QDialog* dialog : m_window->findChildren<QDialog*>()) {
+    cut << tests::cutTextsIn(*dialog);
+    for (QTabWidget* tabs : dialog->findChildren<QTabWidget*>()) {
+      for (int i = 0; i < tabs->count(); ++i) {
+        tabs->setCurrentIndex(i);
+        settle();
+        cut << tests::cutTextsIn(*dialog);
+      }
+    }
+    QVERIFY(dialog->width() <= kScreen.width());
+    QVERIFY(dialog->height() <= kScreen.height());
+  }
+  cut.removeDuplicates();
+  QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void TextFitTest::fitsInTheDialogs() {
+  QFETCH(Language, language);
+  m_window->speak(language);
+  QStringList cut;
+  int seen = 0;
+  const auto look = [&] {
+    QTimer::singleShot(0, this, [&] {
+      auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      if (!dialog) return;
+      ++seen;
+      settle();
+      cut << tests::cutTextsIn(*dialog);
+      if (dialog->width() > kScreen.width() || dialog->height() > kScreen.height())
+        cut << dialog->windowTitle() + " is larger than the screen";
+      dialog->reject();
+    });
+  };
+  look();
+  m_window->commands().action(Command::kKeys)->trigger();
+  look();
+  m_window->commands().action(Command::kAbout)->trigger();
+  look();
+  ui::askChartSize(m_window.get(), {160, 100});
+  QCOMPARE(seen, 3);
+  QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+QTEST_MAIN(TextFitTest)
+#include "text_fit_test.moc"
