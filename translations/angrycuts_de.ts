@@ -2,6 +2,618 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Laufwerk</translation>
+    </message>
+    <message>
+        <source>Alias</source>
+        <translation>Alias</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Verknüpfung</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>&amp;Inkrementieren</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>&amp;Dekrementieren</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Suchen in:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Verzeichnis:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Datei&amp;name:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Dateien des Typs:</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Verzeichnis suchen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Übergeordnetes Verzeichnis</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Gehe zum übergeordneten Verzeichnis</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Neuen Ordner erstellen</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Neuen Ordner erstellen</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Neues Verzeichnis</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Neues Verzeichnis</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Wechsle zu Listenansicht</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Wechsle zu Detailansicht</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Seitenleiste</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Liste der Orte und Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Verzeichnisse</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Zuletzt besucht</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Anzeigen </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>&amp;Versteckte Dateien anzeigen</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>Die Datei %1 existiert bereits.
+Soll sie überschrieben werden?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>„%1“ ist schreibgeschützt.
+Möchten Sie die Datei trotzdem löschen?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>Sind Sie sicher, dass Sie „%1“ löschen möchten?</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>Das Verzeichnis konnte nicht gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Die Datei konnte nicht gefunden werden.
+Stellen Sie sicher, dass der Dateiname richtig ist.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Das Verzeichnis konnte nicht gefunden werden.
+Stellen Sie sicher, dass der Verzeichnisname richtig ist.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Änderungsdatum</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Computer</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Mein Computer</translation>
+    </message>
+</context>
+<context>
+    <name>QGnomeTheme</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Schl&amp;ießen</translation>
+    </message>
+    <message>
+        <source>Close without Saving</source>
+        <translation>Schließen, ohne zu speichern</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Einf&amp;ügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Details einblenden…</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Details ausblenden…</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Ja, &amp;alle</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nein</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>N&amp;ein, keine</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Alles speichern</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorieren</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Hierher scrollen</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Linker Rand</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Rechter Rand</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>Eine Seite nach links</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>Eine Seite nach oben</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>Eine Seite nach rechts</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>Eine Seite nach unten</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Nach links scrollen</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Nach oben scrollen</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Nach rechts scrollen</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Nach unten scrollen</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umsch</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>←</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>→</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>↑</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>↓</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild↑</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild↓</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Bild↑</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Bild↓</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backtab</source>
+        <translation>Umsch+Tab</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Media Play</source>
+        <translation>Wiedergabe</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Nach links scrollen</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Nach rechts scrollen</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>&amp;Link-Adresse kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Einf&amp;ügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -300,6 +912,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>the window cannot be opened: %1</source>
         <translation>das Fenster kann nicht geöffnet werden: %1</translation>
     </message>
+    <message>
+        <source>no display answers (%1)</source>
+        <translation>keine Anzeige antwortet (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::AccuracyPanel</name>
@@ -378,12 +994,8 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
 <context>
     <name>ui::ChartFile</name>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>%1 kann nicht geschrieben werden: %2</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: a chart&apos;s file ends in .png, .svg or .pdf</source>
-        <translation>%1 kann nicht geschrieben werden: Eine Diagrammdatei endet auf .png, .svg oder .pdf</translation>
+        <source>a chart&apos;s file ends in .png, .svg or .pdf</source>
+        <translation>die Datei eines Diagramms endet auf .png, .svg oder .pdf</translation>
     </message>
 </context>
 <context>
@@ -1145,6 +1757,42 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
+    <message>
+        <source>&amp;Teacher&apos;s sheet</source>
+        <translation>&amp;Lehrerblatt</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
+        <translation>Ziel, Schritte, Fragen und erwartete Zahlen dieser Lektion, zum Drucken</translation>
+    </message>
+    <message>
+        <source>Quick &amp;guide</source>
+        <translation>&amp;Kurzanleitung</translation>
+    </message>
+    <message>
+        <source>Explain the window in a few pages</source>
+        <translation>Das Fenster auf wenigen Seiten erklären</translation>
+    </message>
+    <message>
+        <source>The &amp;model</source>
+        <translation>Das &amp;Modell</translation>
+    </message>
+    <message>
+        <source>Show the equations that are computed, and why</source>
+        <translation>Die Gleichungen zeigen, die berechnet werden, und warum</translation>
+    </message>
+    <message>
+        <source>T&amp;our of the window</source>
+        <translation>&amp;Rundgang durch das Fenster</translation>
+    </message>
+    <message>
+        <source>Point out the five most important parts of the window</source>
+        <translation>Die fünf wichtigsten Teile des Fensters zeigen</translation>
+    </message>
 </context>
 <context>
     <name>ui::ComparisonPanel</name>
@@ -1761,6 +2409,65 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
 </context>
 <context>
+    <name>ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Quick guide</source>
+        <translation>Kurzanleitung</translation>
+    </message>
+    <message>
+        <source>The model</source>
+        <translation>Das Modell</translation>
+    </message>
+    <message>
+        <source>Teacher&apos;s sheets</source>
+        <translation>Lehrerblätter</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Kapitel</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>Als PDF &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Printed %1</source>
+        <translation>%1 gedruckt</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Als PDF speichern</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+</context>
+<context>
     <name>ui::HitTable</name>
     <message>
         <source>wall</source>
@@ -2077,6 +2784,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Hide</source>
         <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
     </message>
 </context>
 <context>
@@ -2489,125 +3200,6 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
 </context>
 <context>
-    <name>ui::MainWindow</name>
-    <message>
-        <source>Unsaved changes cannot be kept for a crash: %1</source>
-        <translation>Ungespeicherte Änderungen können nicht für einen Absturz gesichert werden: %1</translation>
-    </message>
-    <message>
-        <source>Bring them back</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Undo the change</source>
-        <translation>Änderung rückgängig machen</translation>
-    </message>
-    <message>
-        <source>Lesson</source>
-        <translation>Lektion</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Szene</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Gewichte</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Läufe</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Diagramme</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
-        <source>Inside a step</source>
-        <translation>Einzelschritt</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Ereignisse</translation>
-    </message>
-    <message>
-        <source>Weights table</source>
-        <translation>Gewichtetabelle</translation>
-    </message>
-    <message>
-        <source>&amp;Colors</source>
-        <translation>&amp;Farben</translation>
-    </message>
-    <message>
-        <source>Like the &amp;desktop</source>
-        <translation>Wie der &amp;Desktop</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Hell</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>Dun&amp;kel</translation>
-    </message>
-    <message>
-        <source>Te&amp;xt size</source>
-        <translation>Te&amp;xtgröße</translation>
-    </message>
-    <message>
-        <source>&amp;Normal</source>
-        <translation>&amp;Normal</translation>
-    </message>
-    <message>
-        <source>&amp;Large</source>
-        <translation>&amp;Groß</translation>
-    </message>
-    <message>
-        <source>&amp;Very large</source>
-        <translation>&amp;Sehr groß</translation>
-    </message>
-    <message>
-        <source>&amp;Drawn by</source>
-        <translation>Gezei&amp;chnet mit</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic choice</source>
-        <translation>&amp;Automatisch</translation>
-    </message>
-    <message>
-        <source>&amp;OpenGL</source>
-        <translation>&amp;OpenGL</translation>
-    </message>
-    <message>
-        <source>&amp;QPainter</source>
-        <translation>&amp;QPainter</translation>
-    </message>
-    <message>
-        <source>Not applied: %1</source>
-        <translation>Nicht angewandt: %1</translation>
-    </message>
-    <message>
-        <source>%1[*] – Angry Cuts</source>
-        <translation>%1[*] – Angry Cuts</translation>
-    </message>
-    <message>
-        <source>New scene</source>
-        <translation>Neue Szene</translation>
-    </message>
-    <message>
-        <source>Drawn by %1</source>
-        <translation>Gezeichnet mit %1</translation>
-    </message>
-</context>
-<context>
     <name>ui::MeasurementTable</name>
     <message>
         <source>Method</source>
@@ -2972,6 +3564,22 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>change of the method</source>
         <translation>Änderung des Verfahrens</translation>
     </message>
+    <message>
+        <source>How the run gets from one moment to the next. The error of a method of order p shrinks with the step h like h to the power of p.</source>
+        <translation>Wie der Lauf von einem Zeitpunkt zum nächsten kommt. Der Fehler eines Verfahrens der Ordnung p schrumpft mit der Schrittweite h wie h hoch p.</translation>
+    </message>
+    <message>
+        <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
+        <translation>Schrittweite h in s: wie viel simulierte Zeit das Verfahren auf einmal nimmt. Kleinere Schritte sind genauer und kosten mehr.</translation>
+    </message>
+    <message>
+        <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
+        <translation>Toleranz, ohne Einheit: der Fehler, den sich das Verfahren in einem Schritt erlaubt, in m, m/s, rad und rad/s. Es wählt seine Schritte danach.</translation>
+    </message>
+    <message>
+        <source>Compute the scene with this method, too</source>
+        <translation>Die Szene auch mit diesem Verfahren berechnen</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneCommands</name>
@@ -3012,6 +3620,18 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>larger than 64 MiB</source>
         <translation>größer als 64 MiB</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>not UTF-8 but UTF-16; save it as UTF-8</source>
+        <translation>nicht UTF-8, sondern UTF-16; speichern Sie sie als UTF-8</translation>
+    </message>
+    <message>
+        <source>it is no file but a pipe or a device</source>
+        <translation>sie ist keine Datei, sondern eine Pipe oder ein Gerät</translation>
     </message>
 </context>
 <context>
@@ -3139,6 +3759,53 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>change of the cut</source>
         <translation>Änderung des Schnitts</translation>
     </message>
+    <message>
+        <source>How many weights there are, hung up at even intervals. New ones are like the last one.</source>
+        <translation>Wie viele Gewichte es gibt, in gleichen Abständen aufgehängt. Neue sind wie das letzte.</translation>
+    </message>
+    <message>
+        <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
+        <translation>Fallbeschleunigung g, in m/s². Sie zieht jedes Gewicht mit der Kraft m g nach unten. Auf der Erde 9,81 m/s².</translation>
+    </message>
+    <message>
+        <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
+        <translation>Dichte der Luft ρ, in kg/m³. Der Luftwiderstand ist F = ½ ρ c_d A v² gegen die Geschwindigkeit, mit A = π r². 1,2 kg/m³ auf Meereshöhe, 0 im Vakuum.</translation>
+    </message>
+    <message>
+        <source>Distance between the walls, in m.</source>
+        <translation>Abstand der Wände, in m.</translation>
+    </message>
+    <message>
+        <source>Distance between floor and ceiling, in m.</source>
+        <translation>Abstand zwischen Boden und Decke, in m.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Stoßzahl e: der Anteil des Tempos gegen eine Wand, den Boden oder die Decke, mit dem ein Gewicht sie verlässt. 1 verliert nichts, 0 prallt nicht ab.</translation>
+    </message>
+    <message>
+        <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
+        <translation>Reibungszahl μ von Wänden, Boden und Decke. Die Reibung ist höchstens μ mal die Kraft, oder der Kraftstoß, die das Gewicht dagegen drückt.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Stoßzahl e: der Anteil des Tempos gegeneinander, mit dem sich zwei Gewichte nach einem Stoß trennen. 1 verliert nichts, 0 prallt nicht ab.</translation>
+    </message>
+    <message>
+        <source>Simulated time in s at which all ropes are cut.</source>
+        <translation>Simulierte Zeit in s, zu der alle Seile durchgeschnitten werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneLoading</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneMarker</name>
@@ -3158,12 +3825,8 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <translation>Szene</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: kann nicht geschrieben werden: %2</translation>
-    </message>
-    <message>
-        <source>%1: a picture&apos;s name must end in .png, .svg or .pdf</source>
-        <translation>%1: Der Name eines Bildes muss auf .png, .svg oder .pdf enden</translation>
+        <source>a picture&apos;s name must end in .png, .svg or .pdf</source>
+        <translation>der Name eines Bildes muss auf .png, .svg oder .pdf enden</translation>
     </message>
 </context>
 <context>
@@ -3324,6 +3987,17 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Settings</name>
+    <message>
+        <source>The settings in %1 were damaged; what could not be read is as at first.</source>
+        <translation>Die Einstellungen in %1 waren beschädigt; was nicht zu lesen war, ist wie zu Anfang.</translation>
+    </message>
+    <message>
+        <source>Settings are not remembered: nothing can be written to %1</source>
+        <translation>Einstellungen werden nicht gespeichert: In %1 lässt sich nichts schreiben</translation>
     </message>
 </context>
 <context>
@@ -3627,6 +4301,73 @@ in m</translation>
     <message>
         <source>%1 s: %2, weight: %3</source>
         <translation>%1 s: %2, Gewicht: %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>Die Szene</translation>
+    </message>
+    <message>
+        <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
+        <translation>Gewichte an Seilen. Gefüllte folgen dem ersten Verfahren, Ringe den anderen. Ziehen Sie am Start ein Gewicht, um sein Seil zu drehen; das Mausrad zoomt.</translation>
+    </message>
+    <message>
+        <source>Play and cut</source>
+        <translation>Abspielen und schneiden</translation>
+    </message>
+    <message>
+        <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
+        <translation>Die Leertaste spielt ab und hält an. C durchschneidet alle Seile, R geht zum Start zurück. In Zeitlupe dauert ein Stoß Sekunden.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
+        <translation>Die Pfeiltasten → und ← gehen um einen Schritt, I geht zum nächsten Stoß. Ziehen Sie auf dieser Linie, um jeden Zeitpunkt noch einmal zu sehen.</translation>
+    </message>
+    <message>
+        <source>Where the energy goes</source>
+        <translation>Wo die Energie bleibt</translation>
+    </message>
+    <message>
+        <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
+        <translation>Die Gesamtenergie sollte eine waagerechte Linie sein. Was sie steigt oder fällt, hat das Verfahren erzeugt oder verloren, nicht die Natur.</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Verfahren nebeneinander</translation>
+    </message>
+    <message>
+        <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
+        <translation>Bis zu vier Verfahren berechnen dieselbe Szene. Wählen Sie sie und ihre Schrittweiten hier, und sehen Sie, wer recht hat. Unter „Lektionen“, oben rechts, gibt es Szenen für den Anfang.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
     </message>
 </context>
 <context>
@@ -4050,6 +4791,26 @@ in m</translation>
         <source>All weights in a table…</source>
         <translation>Alle Gewichte in einer Tabelle…</translation>
     </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Länge des Seils L, in m: von der Aufhängung bis zur Mitte des Gewichts. Eine kleine Schwingung dauert T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Winkel θ des Seils beim Start, in Grad von senkrecht nach unten, positiv nach rechts.</translation>
+    </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masse m, in kg. Für eine Schwingung ohne Luft spielt sie keine Rolle; mit Luft wird ein schwereres Gewicht weniger gebremst.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radius r, in m. Die Luft trifft auf die Fläche A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Widerstandsbeiwert c_d, ohne Einheit: wie stark die Form von der Luft gebremst wird. 0,47 für eine Kugel.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightsModel</name>
@@ -4167,6 +4928,132 @@ in m</translation>
     <message>
         <source>filling down</source>
         <translation>Füllen nach unten</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowFace</name>
+    <message>
+        <source>Bring them back</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Undo the change</source>
+        <translation>Änderung rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for a crash: %1</source>
+        <translation>Ungespeicherte Änderungen können nicht für einen Absturz gesichert werden: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Colors</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>Like the &amp;desktop</source>
+        <translation>Wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>Dun&amp;kel</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Te&amp;xtgröße</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normal</translation>
+    </message>
+    <message>
+        <source>&amp;Large</source>
+        <translation>&amp;Groß</translation>
+    </message>
+    <message>
+        <source>&amp;Very large</source>
+        <translation>&amp;Sehr groß</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn by</source>
+        <translation>Gezei&amp;chnet mit</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic choice</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;QPainter</source>
+        <translation>&amp;QPainter</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Spr&amp;ache</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>Nicht angewandt: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Angry Cuts</source>
+        <translation>%1[*] – Angry Cuts</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Neue Szene</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Gezeichnet mit %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPanels</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Inside a step</source>
+        <translation>Einzelschritt</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Weights table</source>
+        <translation>Gewichtetabelle</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,618 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv_SE" sourcelanguage="en_US">
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Mapp</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>Filmapp</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Enhet</translation>
+    </message>
+    <message>
+        <source>Alias</source>
+        <translation>Alias</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Genväg</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Okänd</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Markera allt</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>Stega &amp;upp</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>Stega &amp;ned</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Sök i:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Mapp:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Fil&amp;namn:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Filer av typen:</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Sök mapp</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Bakåt</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Gå bakåt</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Framåt</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Gå framåt</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Överordnad mapp</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Gå till överordnad mapp</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Skapa ny mapp</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Skapa en ny mapp</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Ny mapp</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Ny mapp</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Lista</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Byt till listvy</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Detaljer</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Byt till detaljvy</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Sidopanel</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Lista med platser och bokmärken</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Filer</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Mappar</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Senaste platser</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Öppna</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Spara</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Spara som</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Välj</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Byt namn</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Ta bort</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Visa </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>Visa &amp;dolda filer</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 finns redan.
+Vill du ersätta den?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>”%1” är skrivskyddad.
+Vill du ta bort den ändå?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>Vill du verkligen ta bort ”%1”?</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>Mappen kunde inte tas bort.</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Filen hittades inte.
+Kontrollera att rätt filnamn angavs.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Mappen hittades inte.
+Kontrollera att rätt mappnamn angavs.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Namn</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Storlek</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Sort</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Ändrad</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Dator</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Min dator</translation>
+    </message>
+</context>
+<context>
+    <name>QGnomeTheme</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Spara</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Avbryt</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Stäng</translation>
+    </message>
+    <message>
+        <source>Close without Saving</source>
+        <translation>Stäng utan att spara</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Klipp &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiera</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Klistra &amp;in</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Markera allt</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Visa detaljer…</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Dölj detaljer…</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Ja &amp;till alla</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nej</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>Nej till &amp;alla</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Spara</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Spara alla</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Försök igen</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorera</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Förkasta</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Använd</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Återställ</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Återställ standardvärden</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hjälp</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Rulla hit</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Vänsterkanten</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Överst</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Högerkanten</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Nederst</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>En sida åt vänster</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>En sida upp</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>En sida åt höger</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>En sida ned</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Rulla åt vänster</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Rulla upp</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Rulla åt höger</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Rulla ned</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Skift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Mellanslag</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>←</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>→</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>↑</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>↓</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>PgUp</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>PgDn</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Insert</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insert</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabb</translation>
+    </message>
+    <message>
+        <source>Backtab</source>
+        <translation>Skift+Tabb</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Retur</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Retur</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backsteg</translation>
+    </message>
+    <message>
+        <source>Media Play</source>
+        <translation>Spela</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Rulla åt vänster</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Rulla åt höger</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Klipp &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiera</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>Kopiera &amp;länkadress</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Klistra &amp;in</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Markera allt</translation>
+    </message>
+</context>
+<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -299,6 +911,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>the window cannot be opened: %1</source>
         <translation>fönstret kan inte öppnas: %1</translation>
     </message>
+    <message>
+        <source>no display answers (%1)</source>
+        <translation>ingen skärm svarar (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::AccuracyPanel</name>
@@ -377,12 +993,8 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
 <context>
     <name>ui::ChartFile</name>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>Kan inte skriva %1: %2</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: a chart&apos;s file ends in .png, .svg or .pdf</source>
-        <translation>Kan inte skriva %1: en diagramfil slutar på .png, .svg eller .pdf</translation>
+        <source>a chart&apos;s file ends in .png, .svg or .pdf</source>
+        <translation>ett diagrams fil slutar på .png, .svg eller .pdf</translation>
     </message>
 </context>
 <context>
@@ -1144,6 +1756,42 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>Pause</source>
         <translation>Paus</translation>
     </message>
+    <message>
+        <source>&amp;Teacher&apos;s sheet</source>
+        <translation>&amp;Lärarblad</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blad</translation>
+    </message>
+    <message>
+        <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
+        <translation>Lektionens mål, steg, frågor och väntade siffror, för utskrift</translation>
+    </message>
+    <message>
+        <source>Quick &amp;guide</source>
+        <translation>&amp;Snabbguide</translation>
+    </message>
+    <message>
+        <source>Explain the window in a few pages</source>
+        <translation>Förklara fönstret på några sidor</translation>
+    </message>
+    <message>
+        <source>The &amp;model</source>
+        <translation>&amp;Modellen</translation>
+    </message>
+    <message>
+        <source>Show the equations that are computed, and why</source>
+        <translation>Visa ekvationerna som beräknas, och varför</translation>
+    </message>
+    <message>
+        <source>T&amp;our of the window</source>
+        <translation>&amp;Rundtur i fönstret</translation>
+    </message>
+    <message>
+        <source>Point out the five most important parts of the window</source>
+        <translation>Peka ut fönstrets fem viktigaste delar</translation>
+    </message>
 </context>
 <context>
     <name>ui::ComparisonPanel</name>
@@ -1760,6 +2408,65 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
 </context>
 <context>
+    <name>ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hjälp</translation>
+    </message>
+    <message>
+        <source>Quick guide</source>
+        <translation>Snabbguide</translation>
+    </message>
+    <message>
+        <source>The model</source>
+        <translation>Modellen</translation>
+    </message>
+    <message>
+        <source>Teacher&apos;s sheets</source>
+        <translation>Lärarblad</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Kapitel</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Innehåll</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>S&amp;kriv ut…</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Spara som PDF…</translation>
+    </message>
+    <message>
+        <source>Printed %1</source>
+        <translation>Skrev ut %1</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Spara som PDF</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Sparade %1</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Sparades inte</translation>
+    </message>
+</context>
+<context>
     <name>ui::HitTable</name>
     <message>
         <source>wall</source>
@@ -2076,6 +2783,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Hide</source>
         <translation>Dölj</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blad</translation>
     </message>
 </context>
 <context>
@@ -2488,125 +3199,6 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
 </context>
 <context>
-    <name>ui::MainWindow</name>
-    <message>
-        <source>Unsaved changes cannot be kept for a crash: %1</source>
-        <translation>Ändringar som inte är sparade kan inte säkras mot en krasch: %1</translation>
-    </message>
-    <message>
-        <source>Bring them back</source>
-        <translation>Hämta tillbaka dem</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Förkasta</translation>
-    </message>
-    <message>
-        <source>Undo the change</source>
-        <translation>Ångra ändringen</translation>
-    </message>
-    <message>
-        <source>Lesson</source>
-        <translation>Lektion</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Scen</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Vikter</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Körningar</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Diagram</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Jämförelse</translation>
-    </message>
-    <message>
-        <source>Inside a step</source>
-        <translation>Inuti ett steg</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Händelser</translation>
-    </message>
-    <message>
-        <source>Weights table</source>
-        <translation>Vikttabell</translation>
-    </message>
-    <message>
-        <source>&amp;Colors</source>
-        <translation>Fär&amp;ger</translation>
-    </message>
-    <message>
-        <source>Like the &amp;desktop</source>
-        <translation>Som &amp;skrivbordet</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Ljust</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>&amp;Mörkt</translation>
-    </message>
-    <message>
-        <source>Te&amp;xt size</source>
-        <translation>Te&amp;xtstorlek</translation>
-    </message>
-    <message>
-        <source>&amp;Normal</source>
-        <translation>&amp;Normal</translation>
-    </message>
-    <message>
-        <source>&amp;Large</source>
-        <translation>&amp;Stor</translation>
-    </message>
-    <message>
-        <source>&amp;Very large</source>
-        <translation>&amp;Mycket stor</translation>
-    </message>
-    <message>
-        <source>&amp;Drawn by</source>
-        <translation>&amp;Ritas med</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic choice</source>
-        <translation>&amp;Automatiskt val</translation>
-    </message>
-    <message>
-        <source>&amp;OpenGL</source>
-        <translation>&amp;OpenGL</translation>
-    </message>
-    <message>
-        <source>&amp;QPainter</source>
-        <translation>&amp;QPainter</translation>
-    </message>
-    <message>
-        <source>Not applied: %1</source>
-        <translation>Inte tillämpat: %1</translation>
-    </message>
-    <message>
-        <source>%1[*] – Angry Cuts</source>
-        <translation>%1[*] – Angry Cuts</translation>
-    </message>
-    <message>
-        <source>New scene</source>
-        <translation>Ny scen</translation>
-    </message>
-    <message>
-        <source>Drawn by %1</source>
-        <translation>Ritas med %1</translation>
-    </message>
-</context>
-<context>
     <name>ui::MeasurementTable</name>
     <message>
         <source>Method</source>
@@ -2971,6 +3563,22 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>change of the method</source>
         <translation>ändring av metoden</translation>
     </message>
+    <message>
+        <source>How the run gets from one moment to the next. The error of a method of order p shrinks with the step h like h to the power of p.</source>
+        <translation>Hur körningen kommer från en tidpunkt till nästa. Felet hos en metod av ordning p minskar med steget h som h upphöjt till p.</translation>
+    </message>
+    <message>
+        <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
+        <translation>Steg h i s: hur mycket simulerad tid metoden tar på en gång. Mindre steg är noggrannare och kostar mer.</translation>
+    </message>
+    <message>
+        <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
+        <translation>Tolerans, utan enhet: det fel metoden tillåter sig i ett steg, i m, m/s, rad och rad/s. Den väljer sina steg därefter.</translation>
+    </message>
+    <message>
+        <source>Compute the scene with this method, too</source>
+        <translation>Beräkna scenen även med den här metoden</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneCommands</name>
@@ -3011,6 +3619,18 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>larger than 64 MiB</source>
         <translation>större än 64 MiB</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>filen är tom</translation>
+    </message>
+    <message>
+        <source>not UTF-8 but UTF-16; save it as UTF-8</source>
+        <translation>inte UTF-8 utan UTF-16; spara den som UTF-8</translation>
+    </message>
+    <message>
+        <source>it is no file but a pipe or a device</source>
+        <translation>det är ingen fil utan ett rör eller en enhet</translation>
     </message>
 </context>
 <context>
@@ -3138,6 +3758,53 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>change of the cut</source>
         <translation>ändring av klippet</translation>
     </message>
+    <message>
+        <source>How many weights there are, hung up at even intervals. New ones are like the last one.</source>
+        <translation>Hur många vikter det finns, upphängda med jämna mellanrum. Nya blir som den sista.</translation>
+    </message>
+    <message>
+        <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
+        <translation>Tyngdacceleration g, i m/s². Den drar varje vikt nedåt med kraften m g. På jorden 9,81 m/s².</translation>
+    </message>
+    <message>
+        <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
+        <translation>Luftens densitet ρ, i kg/m³. Luftmotståndet är F = ½ ρ c_d A v² mot hastigheten, med A = π r². 1,2 kg/m³ vid havsytan, 0 i vakuum.</translation>
+    </message>
+    <message>
+        <source>Distance between the walls, in m.</source>
+        <translation>Avstånd mellan väggarna, i m.</translation>
+    </message>
+    <message>
+        <source>Distance between floor and ceiling, in m.</source>
+        <translation>Avstånd mellan golv och tak, i m.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Studstal e: den andel av farten mot en vägg, golvet eller taket som en vikt har när den lämnar det. 1 förlorar inget, 0 studsar inte.</translation>
+    </message>
+    <message>
+        <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
+        <translation>Friktionstal μ för väggar, golv och tak. Friktionen är högst μ gånger den kraft, eller impuls, som trycker vikten mot dem.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Studstal e: den andel av farten mot varandra som två vikter skiljs åt med efter en stöt. 1 förlorar inget, 0 studsar inte.</translation>
+    </message>
+    <message>
+        <source>Simulated time in s at which all ropes are cut.</source>
+        <translation>Simulerad tid i s då alla rep klipps.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneLoading</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Öppnar %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneMarker</name>
@@ -3157,12 +3824,8 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <translation>Scen</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: kan inte skrivas: %2</translation>
-    </message>
-    <message>
-        <source>%1: a picture&apos;s name must end in .png, .svg or .pdf</source>
-        <translation>%1: en bilds namn måste sluta på .png, .svg eller .pdf</translation>
+        <source>a picture&apos;s name must end in .png, .svg or .pdf</source>
+        <translation>en bilds namn måste sluta på .png, .svg eller .pdf</translation>
     </message>
 </context>
 <context>
@@ -3323,6 +3986,17 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Settings</name>
+    <message>
+        <source>The settings in %1 were damaged; what could not be read is as at first.</source>
+        <translation>Inställningarna i %1 var skadade; det som inte gick att läsa är som från början.</translation>
+    </message>
+    <message>
+        <source>Settings are not remembered: nothing can be written to %1</source>
+        <translation>Inställningarna sparas inte: det går inte att skriva till %1</translation>
     </message>
 </context>
 <context>
@@ -3626,6 +4300,73 @@ i m</translation>
     <message>
         <source>%1 s: %2, weight: %3</source>
         <translation>%1 s: %2, vikt: %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>Scenen</translation>
+    </message>
+    <message>
+        <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
+        <translation>Vikter i rep. Fyllda följer den första metoden, ringar de andra. Dra vid starten i en vikt för att vrida dess rep; hjulet zoomar.</translation>
+    </message>
+    <message>
+        <source>Play and cut</source>
+        <translation>Spela och klipp</translation>
+    </message>
+    <message>
+        <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
+        <translation>Mellanslag spelar och stannar. C klipper alla rep, R går tillbaka till starten. Slow motion låter en stöt vara i flera sekunder.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Steg för steg</translation>
+    </message>
+    <message>
+        <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
+        <translation>Piltangenterna → och ← går ett steg, I går till nästa stöt. Dra på den här linjen för att se vilket ögonblick som helst igen.</translation>
+    </message>
+    <message>
+        <source>Where the energy goes</source>
+        <translation>Vart energin tar vägen</translation>
+    </message>
+    <message>
+        <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
+        <translation>Den totala energin ska vara en plan linje. Det den stiger eller faller har metoden skapat eller förlorat, inte naturen.</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Metoder sida vid sida</translation>
+    </message>
+    <message>
+        <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
+        <translation>Upp till fyra metoder beräknar samma scen. Välj dem och deras steg här, och se vem som har rätt. Under Lektioner, uppe till höger, finns scener att börja med.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Hoppa över</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Bakåt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nästa</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Börja</translation>
     </message>
 </context>
 <context>
@@ -4049,6 +4790,26 @@ i m</translation>
         <source>All weights in a table…</source>
         <translation>Alla vikter i en tabell…</translation>
     </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Repets längd L, i m: från fästet till viktens mitt. En liten svängning tar T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Repets vinkel θ vid starten, i grader från rakt nedåt, positiv åt höger.</translation>
+    </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Massa m, i kg. Den spelar ingen roll för en svängning utan luft; med luft bromsas en tyngre vikt mindre.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radie r, i m. Luften möter arean A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Motståndskoefficient c_d, utan enhet: hur mycket formen bromsas av luften. 0,47 för ett klot.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightsModel</name>
@@ -4166,6 +4927,132 @@ i m</translation>
     <message>
         <source>filling down</source>
         <translation>fyllning nedåt</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowFace</name>
+    <message>
+        <source>Bring them back</source>
+        <translation>Hämta tillbaka dem</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Förkasta</translation>
+    </message>
+    <message>
+        <source>Undo the change</source>
+        <translation>Ångra ändringen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for a crash: %1</source>
+        <translation>Ändringar som inte är sparade kan inte säkras mot en krasch: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Colors</source>
+        <translation>Fär&amp;ger</translation>
+    </message>
+    <message>
+        <source>Like the &amp;desktop</source>
+        <translation>Som &amp;skrivbordet</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Ljust</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Mörkt</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Te&amp;xtstorlek</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normal</translation>
+    </message>
+    <message>
+        <source>&amp;Large</source>
+        <translation>&amp;Stor</translation>
+    </message>
+    <message>
+        <source>&amp;Very large</source>
+        <translation>&amp;Mycket stor</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn by</source>
+        <translation>&amp;Ritas med</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic choice</source>
+        <translation>&amp;Automatiskt val</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;QPainter</source>
+        <translation>&amp;QPainter</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Spr&amp;åk</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>Inte tillämpat: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Angry Cuts</source>
+        <translation>%1[*] – Angry Cuts</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Ny scen</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Ritas med %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPanels</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scen</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Vikter</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Körningar</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagram</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Jämförelse</translation>
+    </message>
+    <message>
+        <source>Inside a step</source>
+        <translation>Inuti ett steg</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Händelser</translation>
+    </message>
+    <message>
+        <source>Weights table</source>
+        <translation>Vikttabell</translation>
     </message>
 </context>
 <context>
