@@ -2,6 +2,618 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES">
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>Carpeta de archivos</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Alias</source>
+        <translation>Alias</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Acceso directo</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Desconocido</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Seleccionar todo</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>&amp;Aumentar</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>&amp;Disminuir</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Ver en:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Carpeta:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>&amp;Nombre de archivo:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Tipo de archivo:</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Buscar carpeta</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Ir atrás</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Adelante</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Ir adelante</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Carpeta superior</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Ir a la carpeta superior</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Crear carpeta nueva</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Crear una carpeta nueva</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Nueva carpeta</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Nueva carpeta</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Vista de lista</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Cambiar a la vista de lista</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Vista detallada</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Cambiar a la vista detallada</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Barra lateral</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Lista de lugares y marcadores</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Carpetas</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Lugares recientes</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Abrir</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Guardar como</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Elegir</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Cambia&amp;r nombre</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Borrar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Mostrar </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>Mostrar arc&amp;hivos ocultos</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 ya existe.
+¿Desea reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>«%1» está protegido contra escritura.
+¿Desea borrarlo de todos modos?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>¿Seguro que desea borrar «%1»?</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>No se pudo borrar la carpeta.</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Archivo no encontrado.
+Compruebe el nombre del archivo.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Carpeta no encontrada.
+Compruebe el nombre de la carpeta.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Última modificación</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Mi equipo</translation>
+    </message>
+</context>
+<context>
+    <name>QGnomeTheme</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;Aceptar</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>C&amp;errar</translation>
+    </message>
+    <message>
+        <source>Close without Saving</source>
+        <translation>Cerrar sin guardar</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Cor&amp;tar</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Pegar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Seleccionar todo</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Mostrar los detalles…</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Ocultar los detalles…</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Sí</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Sí a &amp;todo</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;No</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>N&amp;o a todo</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Guardar todo</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Interrumpir</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Reintentar</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecer</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Valores predeterminados</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Desplazar hasta aquí</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Borde izquierdo</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Arriba del todo</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Borde derecho</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Abajo del todo</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>Página a la izquierda</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>Página anterior</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>Página a la derecha</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>Página siguiente</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Desplazar a la izquierda</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Desplazar hacia arriba</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Desplazar a la derecha</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Desplazar hacia abajo</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Mayús</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>←</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>→</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>↑</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>↓</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>RePág</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>AvPág</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Retroceder página</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Avanzar página</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Insert</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insertar</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Supr</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suprimir</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backtab</source>
+        <translation>Mayús+Tab</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retroceso</translation>
+    </message>
+    <message>
+        <source>Media Play</source>
+        <translation>Reproducir</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Desplazar a la izquierda</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Desplazar a la derecha</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Cor&amp;tar</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>Copiar la dirección del en&amp;lace</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Pegar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Seleccionar todo</translation>
+    </message>
+</context>
+<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -301,6 +913,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>the window cannot be opened: %1</source>
         <translation>no se puede abrir la ventana: %1</translation>
     </message>
+    <message>
+        <source>no display answers (%1)</source>
+        <translation>no responde ninguna pantalla (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::AccuracyPanel</name>
@@ -379,12 +995,8 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
 <context>
     <name>ui::ChartFile</name>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>No se puede escribir %1: %2</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: a chart&apos;s file ends in .png, .svg or .pdf</source>
-        <translation>No se puede escribir %1: el archivo de un gráfico termina en .png, .svg o .pdf</translation>
+        <source>a chart&apos;s file ends in .png, .svg or .pdf</source>
+        <translation>el archivo de un gráfico termina en .png, .svg o .pdf</translation>
     </message>
 </context>
 <context>
@@ -1146,6 +1758,42 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>Pause</source>
         <translation>Pausa</translation>
     </message>
+    <message>
+        <source>&amp;Teacher&apos;s sheet</source>
+        <translation>&amp;Hoja del profesor</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Hoja</translation>
+    </message>
+    <message>
+        <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
+        <translation>Objetivo, pasos, preguntas y valores esperados de esta lección, para imprimir</translation>
+    </message>
+    <message>
+        <source>Quick &amp;guide</source>
+        <translation>&amp;Guía rápida</translation>
+    </message>
+    <message>
+        <source>Explain the window in a few pages</source>
+        <translation>Explicar la ventana en unas pocas páginas</translation>
+    </message>
+    <message>
+        <source>The &amp;model</source>
+        <translation>El &amp;modelo</translation>
+    </message>
+    <message>
+        <source>Show the equations that are computed, and why</source>
+        <translation>Mostrar las ecuaciones que se calculan, y por qué</translation>
+    </message>
+    <message>
+        <source>T&amp;our of the window</source>
+        <translation>&amp;Recorrido por la ventana</translation>
+    </message>
+    <message>
+        <source>Point out the five most important parts of the window</source>
+        <translation>Señalar las cinco partes más importantes de la ventana</translation>
+    </message>
 </context>
 <context>
     <name>ui::ComparisonPanel</name>
@@ -1762,6 +2410,65 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
 </context>
 <context>
+    <name>ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Quick guide</source>
+        <translation>Guía rápida</translation>
+    </message>
+    <message>
+        <source>The model</source>
+        <translation>El modelo</translation>
+    </message>
+    <message>
+        <source>Teacher&apos;s sheets</source>
+        <translation>Hojas del profesor</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Capítulos</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Contenido</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimir…</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Guardar como PDF…</translation>
+    </message>
+    <message>
+        <source>Printed %1</source>
+        <translation>%1 impreso</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Guardar como PDF</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>Documento PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 guardado</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>No guardado</translation>
+    </message>
+</context>
+<context>
     <name>ui::HitTable</name>
     <message>
         <source>wall</source>
@@ -2078,6 +2785,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Hide</source>
         <translation>Ocultar</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Hoja</translation>
     </message>
 </context>
 <context>
@@ -2490,125 +3201,6 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
 </context>
 <context>
-    <name>ui::MainWindow</name>
-    <message>
-        <source>Unsaved changes cannot be kept for a crash: %1</source>
-        <translation>Los cambios sin guardar no pueden protegerse de un fallo: %1</translation>
-    </message>
-    <message>
-        <source>Bring them back</source>
-        <translation>Recuperarlos</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>Undo the change</source>
-        <translation>Deshacer el cambio</translation>
-    </message>
-    <message>
-        <source>Lesson</source>
-        <translation>Lección</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Escena</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Pesas</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Simulaciones</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Gráficos</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Comparación</translation>
-    </message>
-    <message>
-        <source>Inside a step</source>
-        <translation>Dentro de un paso</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Eventos</translation>
-    </message>
-    <message>
-        <source>Weights table</source>
-        <translation>Tabla de pesas</translation>
-    </message>
-    <message>
-        <source>&amp;Colors</source>
-        <translation>&amp;Colores</translation>
-    </message>
-    <message>
-        <source>Like the &amp;desktop</source>
-        <translation>Como el &amp;escritorio</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Claro</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>&amp;Oscuro</translation>
-    </message>
-    <message>
-        <source>Te&amp;xt size</source>
-        <translation>Tamaño del te&amp;xto</translation>
-    </message>
-    <message>
-        <source>&amp;Normal</source>
-        <translation>&amp;Normal</translation>
-    </message>
-    <message>
-        <source>&amp;Large</source>
-        <translation>&amp;Grande</translation>
-    </message>
-    <message>
-        <source>&amp;Very large</source>
-        <translation>&amp;Muy grande</translation>
-    </message>
-    <message>
-        <source>&amp;Drawn by</source>
-        <translation>Di&amp;bujado por</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic choice</source>
-        <translation>Elección &amp;automática</translation>
-    </message>
-    <message>
-        <source>&amp;OpenGL</source>
-        <translation>&amp;OpenGL</translation>
-    </message>
-    <message>
-        <source>&amp;QPainter</source>
-        <translation>&amp;QPainter</translation>
-    </message>
-    <message>
-        <source>Not applied: %1</source>
-        <translation>No aplicado: %1</translation>
-    </message>
-    <message>
-        <source>%1[*] – Angry Cuts</source>
-        <translation>%1[*] – Angry Cuts</translation>
-    </message>
-    <message>
-        <source>New scene</source>
-        <translation>Escena nueva</translation>
-    </message>
-    <message>
-        <source>Drawn by %1</source>
-        <translation>Dibujado por %1</translation>
-    </message>
-</context>
-<context>
     <name>ui::MeasurementTable</name>
     <message>
         <source>Method</source>
@@ -2973,6 +3565,22 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>change of the method</source>
         <translation>cambio del método</translation>
     </message>
+    <message>
+        <source>How the run gets from one moment to the next. The error of a method of order p shrinks with the step h like h to the power of p.</source>
+        <translation>Cómo pasa la simulación de un instante al siguiente. El error de un método de orden p disminuye con el paso h como h elevado a p.</translation>
+    </message>
+    <message>
+        <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
+        <translation>Paso h en s: cuánto tiempo simulado avanza el método de una vez. Un paso menor es más exacto y cuesta más.</translation>
+    </message>
+    <message>
+        <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
+        <translation>Tolerancia, sin unidad: el error que el método se permite en un paso, en m, m/s, rad y rad/s. Elige sus pasos en consecuencia.</translation>
+    </message>
+    <message>
+        <source>Compute the scene with this method, too</source>
+        <translation>Calcular la escena también con este método</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneCommands</name>
@@ -3013,6 +3621,18 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>larger than 64 MiB</source>
         <translation>más de 64 MiB</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+    <message>
+        <source>not UTF-8 but UTF-16; save it as UTF-8</source>
+        <translation>no es UTF-8 sino UTF-16; guárdelo como UTF-8</translation>
+    </message>
+    <message>
+        <source>it is no file but a pipe or a device</source>
+        <translation>no es un archivo sino una tubería o un dispositivo</translation>
     </message>
 </context>
 <context>
@@ -3140,6 +3760,53 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>change of the cut</source>
         <translation>cambio del corte</translation>
     </message>
+    <message>
+        <source>How many weights there are, hung up at even intervals. New ones are like the last one.</source>
+        <translation>Cuántas pesas hay, colgadas a intervalos iguales. Las nuevas son como la última.</translation>
+    </message>
+    <message>
+        <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
+        <translation>Aceleración de la caída libre g, en m/s². Tira de cada pesa hacia abajo con la fuerza m g. En la Tierra 9,81 m/s².</translation>
+    </message>
+    <message>
+        <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
+        <translation>Densidad del aire ρ, en kg/m³. La resistencia es F = ½ ρ c_d A v², opuesta a la velocidad, con A = π r². 1,2 kg/m³ al nivel del mar, 0 en el vacío.</translation>
+    </message>
+    <message>
+        <source>Distance between the walls, in m.</source>
+        <translation>Distancia entre las paredes, en m.</translation>
+    </message>
+    <message>
+        <source>Distance between floor and ceiling, in m.</source>
+        <translation>Distancia entre el suelo y el techo, en m.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Parte e de la velocidad hacia una pared, el suelo o el techo con la que una pesa sale de ellos: 1 no pierde nada, 0 no rebota.</translation>
+    </message>
+    <message>
+        <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
+        <translation>Coeficiente de rozamiento μ de las paredes, el suelo y el techo. El rozamiento vale como máximo μ veces la fuerza, o el impulso, que aprieta la pesa contra ellos.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Parte e de la velocidad de acercamiento con la que dos pesas se separan tras un choque: 1 no pierde nada, 0 no rebota.</translation>
+    </message>
+    <message>
+        <source>Simulated time in s at which all ropes are cut.</source>
+        <translation>Tiempo simulado en s en el que se cortan todas las cuerdas.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneLoading</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Abriendo %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneMarker</name>
@@ -3159,12 +3826,8 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <translation>Escena</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: no se puede escribir: %2</translation>
-    </message>
-    <message>
-        <source>%1: a picture&apos;s name must end in .png, .svg or .pdf</source>
-        <translation>%1: el nombre de una imagen debe terminar en .png, .svg o .pdf</translation>
+        <source>a picture&apos;s name must end in .png, .svg or .pdf</source>
+        <translation>el nombre de una imagen debe terminar en .png, .svg o .pdf</translation>
     </message>
 </context>
 <context>
@@ -3325,6 +3988,17 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Settings</name>
+    <message>
+        <source>The settings in %1 were damaged; what could not be read is as at first.</source>
+        <translation>Los ajustes de %1 estaban dañados; lo que no se pudo leer está como al principio.</translation>
+    </message>
+    <message>
+        <source>Settings are not remembered: nothing can be written to %1</source>
+        <translation>Los ajustes no se recuerdan: no se puede escribir en %1</translation>
     </message>
 </context>
 <context>
@@ -3628,6 +4302,73 @@ en m</translation>
     <message>
         <source>%1 s: %2, weight: %3</source>
         <translation>%1 s: %2, pesa: %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>La escena</translation>
+    </message>
+    <message>
+        <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
+        <translation>Pesas colgadas de cuerdas. Las llenas siguen el primer método; los anillos, los demás. Al inicio arrastre una pesa para girar su cuerda; la rueda hace zoom.</translation>
+    </message>
+    <message>
+        <source>Play and cut</source>
+        <translation>Reproducir y cortar</translation>
+    </message>
+    <message>
+        <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
+        <translation>Espacio reproduce y para. C corta todas las cuerdas, R vuelve al inicio. La cámara lenta hace que un choque dure segundos.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Paso a paso</translation>
+    </message>
+    <message>
+        <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
+        <translation>Las flechas → y ← avanzan y retroceden un paso, I va al siguiente choque. Arrastre por esta línea para volver a ver cualquier instante.</translation>
+    </message>
+    <message>
+        <source>Where the energy goes</source>
+        <translation>Adónde va la energía</translation>
+    </message>
+    <message>
+        <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
+        <translation>La energía total debería ser una línea plana. Lo que sube o baja lo creó o lo perdió el método, no la naturaleza.</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Métodos en paralelo</translation>
+    </message>
+    <message>
+        <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
+        <translation>Hasta cuatro métodos calculan la misma escena. Elíjalos aquí con sus pasos, y vea cuál acierta. En Lecciones, arriba a la derecha, hay escenas para empezar.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Empezar</translation>
     </message>
 </context>
 <context>
@@ -4051,6 +4792,26 @@ en m</translation>
         <source>All weights in a table…</source>
         <translation>Todas las pesas en una tabla…</translation>
     </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Longitud de la cuerda L, en m: de su pivote al centro de la pesa. Una oscilación pequeña dura T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Ángulo θ de la cuerda al inicio, en grados desde la vertical hacia abajo, positivo hacia la derecha.</translation>
+    </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masa m, en kg. No importa en una oscilación sin aire; con aire, una pesa más pesada se frena menos.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radio r, en m. El aire encuentra el área A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Coeficiente de arrastre c_d, sin unidad: cuánto frena el aire a la forma. 0,47 para una esfera.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightsModel</name>
@@ -4168,6 +4929,132 @@ en m</translation>
     <message>
         <source>filling down</source>
         <translation>relleno hacia abajo</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowFace</name>
+    <message>
+        <source>Bring them back</source>
+        <translation>Recuperarlos</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Undo the change</source>
+        <translation>Deshacer el cambio</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for a crash: %1</source>
+        <translation>Los cambios sin guardar no pueden protegerse de un fallo: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Colors</source>
+        <translation>&amp;Colores</translation>
+    </message>
+    <message>
+        <source>Like the &amp;desktop</source>
+        <translation>Como el &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Tamaño del te&amp;xto</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normal</translation>
+    </message>
+    <message>
+        <source>&amp;Large</source>
+        <translation>&amp;Grande</translation>
+    </message>
+    <message>
+        <source>&amp;Very large</source>
+        <translation>&amp;Muy grande</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn by</source>
+        <translation>Di&amp;bujado por</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic choice</source>
+        <translation>Elección &amp;automática</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;QPainter</source>
+        <translation>&amp;QPainter</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Idi&amp;oma</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>No aplicado: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Angry Cuts</source>
+        <translation>%1[*] – Angry Cuts</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Escena nueva</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Dibujado por %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPanels</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Pesas</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Simulaciones</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparación</translation>
+    </message>
+    <message>
+        <source>Inside a step</source>
+        <translation>Dentro de un paso</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Eventos</translation>
+    </message>
+    <message>
+        <source>Weights table</source>
+        <translation>Tabla de pesas</translation>
     </message>
 </context>
 <context>

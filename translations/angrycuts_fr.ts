@@ -2,6 +2,618 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR">
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>File Folder</source>
+        <translation>Dossier de fichiers</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Lecteur</translation>
+    </message>
+    <message>
+        <source>Alias</source>
+        <translation>Alias</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Inconnu</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>Tout &amp;sélectionner</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>&amp;Augmenter</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>&amp;Diminuer</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Voir dans&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Dossier&#xa0;:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>&amp;Nom du fichier&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Type de fichier&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Revenir en arrière</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Aller en avant</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Dossier parent</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Aller au dossier parent</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Créer un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Créer un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Nouveau dossier</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Nouveau dossier</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Vue en liste</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Passer à la vue en liste</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Vue détaillée</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Passer à la vue détaillée</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Barre latérale</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Liste des emplacements et des signets</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Dossiers</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Emplacements récents</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Enregistrer sous</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Choisir</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Renommer</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>Suppri&amp;mer</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Afficher </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>Afficher les fic&amp;hiers cachés</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 existe déjà.
+Voulez-vous le remplacer&#xa0;?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>«&#xa0;%1&#xa0;» est protégé en écriture.
+Voulez-vous quand même le supprimer&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>Voulez-vous vraiment supprimer «&#xa0;%1&#xa0;»&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>Impossible de supprimer le dossier.</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Fichier introuvable.
+Veuillez vérifier le nom du fichier.</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Dossier introuvable.
+Veuillez vérifier le nom du dossier.</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Dernière modification</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Ordinateur</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Mon ordinateur</translation>
+    </message>
+</context>
+<context>
+    <name>QGnomeTheme</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Close without Saving</source>
+        <translation>Fermer sans enregistrer</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Co&amp;uper</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Co&amp;ller</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Montrer les détails…</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Masquer les détails…</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Oui</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Oui à &amp;tout</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Non</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>No&amp;n à tout</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Tout enregistrer</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Interrompre</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Valeurs par défaut</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Défiler jusqu’ici</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Bord gauche</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Bord droit</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>Page à gauche</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>Page précédente</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>Page à droite</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>Page suivante</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Défiler vers la gauche</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Défiler vers le haut</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Défiler vers la droite</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Défiler vers le bas</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>←</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>→</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>↑</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>↓</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>PgPréc</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>PgSuiv</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Page précédente</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Page suivante</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Inser</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Inser</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backtab</source>
+        <translation>Maj+Tab</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retour arrière</translation>
+    </message>
+    <message>
+        <source>Media Play</source>
+        <translation>Lecture</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Défiler vers la gauche</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Défiler vers la droite</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Co&amp;uper</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>Copier l’adresse du &amp;lien</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Co&amp;ller</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+</context>
+<context>
     <name>app::Arguments</name>
     <message>
         <source>stands twice</source>
@@ -301,6 +913,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>the window cannot be opened: %1</source>
         <translation>la fenêtre ne peut pas s’ouvrir&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>no display answers (%1)</source>
+        <translation>aucun écran ne répond (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::AccuracyPanel</name>
@@ -379,12 +995,8 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
 <context>
     <name>ui::ChartFile</name>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>Impossible d’écrire %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: a chart&apos;s file ends in .png, .svg or .pdf</source>
-        <translation>Impossible d’écrire %1&#xa0;: le fichier d’un graphique se termine par .png, .svg ou .pdf</translation>
+        <source>a chart&apos;s file ends in .png, .svg or .pdf</source>
+        <translation>le fichier d’un graphique se termine par .png, .svg ou .pdf</translation>
     </message>
 </context>
 <context>
@@ -1146,6 +1758,42 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
+    <message>
+        <source>&amp;Teacher&apos;s sheet</source>
+        <translation>Fiche de l’&amp;enseignant</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Fiche</translation>
+    </message>
+    <message>
+        <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
+        <translation>But, étapes, questions et valeurs attendues de cette leçon, à imprimer</translation>
+    </message>
+    <message>
+        <source>Quick &amp;guide</source>
+        <translation>&amp;Guide rapide</translation>
+    </message>
+    <message>
+        <source>Explain the window in a few pages</source>
+        <translation>Expliquer la fenêtre en quelques pages</translation>
+    </message>
+    <message>
+        <source>The &amp;model</source>
+        <translation>Le &amp;modèle</translation>
+    </message>
+    <message>
+        <source>Show the equations that are computed, and why</source>
+        <translation>Montrer les équations calculées, et pourquoi</translation>
+    </message>
+    <message>
+        <source>T&amp;our of the window</source>
+        <translation>&amp;Visite de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Point out the five most important parts of the window</source>
+        <translation>Montrer les cinq parties les plus importantes de la fenêtre</translation>
+    </message>
 </context>
 <context>
     <name>ui::ComparisonPanel</name>
@@ -1762,6 +2410,65 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
 </context>
 <context>
+    <name>ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Quick guide</source>
+        <translation>Guide rapide</translation>
+    </message>
+    <message>
+        <source>The model</source>
+        <translation>Le modèle</translation>
+    </message>
+    <message>
+        <source>Teacher&apos;s sheets</source>
+        <translation>Fiches de l’enseignant</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Chapitres</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>Im&amp;primer…</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PDF…</source>
+        <translation>&amp;Enregistrer en PDF…</translation>
+    </message>
+    <message>
+        <source>Printed %1</source>
+        <translation>%1 imprimé</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Enregistrer en PDF</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>Document PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Non enregistré</translation>
+    </message>
+</context>
+<context>
     <name>ui::HitTable</name>
     <message>
         <source>wall</source>
@@ -2078,6 +2785,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Hide</source>
         <translation>Masquer</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Fiche</translation>
     </message>
 </context>
 <context>
@@ -2490,125 +3201,6 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
 </context>
 <context>
-    <name>ui::MainWindow</name>
-    <message>
-        <source>Unsaved changes cannot be kept for a crash: %1</source>
-        <translation>Les changements non enregistrés ne peuvent être mis à l’abri d’un plantage&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Bring them back</source>
-        <translation>Les récupérer</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Abandonner</translation>
-    </message>
-    <message>
-        <source>Undo the change</source>
-        <translation>Annuler le changement</translation>
-    </message>
-    <message>
-        <source>Lesson</source>
-        <translation>Leçon</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Scène</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Billes</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Simulations</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Graphiques</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Comparaison</translation>
-    </message>
-    <message>
-        <source>Inside a step</source>
-        <translation>Dans un pas</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Événements</translation>
-    </message>
-    <message>
-        <source>Weights table</source>
-        <translation>Tableau des billes</translation>
-    </message>
-    <message>
-        <source>&amp;Colors</source>
-        <translation>C&amp;ouleurs</translation>
-    </message>
-    <message>
-        <source>Like the &amp;desktop</source>
-        <translation>Comme le &amp;bureau</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Clair</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>&amp;Sombre</translation>
-    </message>
-    <message>
-        <source>Te&amp;xt size</source>
-        <translation>Taille du te&amp;xte</translation>
-    </message>
-    <message>
-        <source>&amp;Normal</source>
-        <translation>&amp;Normale</translation>
-    </message>
-    <message>
-        <source>&amp;Large</source>
-        <translation>&amp;Grande</translation>
-    </message>
-    <message>
-        <source>&amp;Very large</source>
-        <translation>&amp;Très grande</translation>
-    </message>
-    <message>
-        <source>&amp;Drawn by</source>
-        <translation>&amp;Dessiné par</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic choice</source>
-        <translation>Choix &amp;automatique</translation>
-    </message>
-    <message>
-        <source>&amp;OpenGL</source>
-        <translation>&amp;OpenGL</translation>
-    </message>
-    <message>
-        <source>&amp;QPainter</source>
-        <translation>&amp;QPainter</translation>
-    </message>
-    <message>
-        <source>Not applied: %1</source>
-        <translation>Non appliqué&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1[*] – Angry Cuts</source>
-        <translation>%1[*] – Angry Cuts</translation>
-    </message>
-    <message>
-        <source>New scene</source>
-        <translation>Nouvelle scène</translation>
-    </message>
-    <message>
-        <source>Drawn by %1</source>
-        <translation>Dessiné par %1</translation>
-    </message>
-</context>
-<context>
     <name>ui::MeasurementTable</name>
     <message>
         <source>Method</source>
@@ -2973,6 +3565,22 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>change of the method</source>
         <translation>changement de méthode</translation>
     </message>
+    <message>
+        <source>How the run gets from one moment to the next. The error of a method of order p shrinks with the step h like h to the power of p.</source>
+        <translation>Comment la simulation passe d’un instant au suivant. L’erreur d’une méthode d’ordre p diminue avec le pas h comme h puissance p.</translation>
+    </message>
+    <message>
+        <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
+        <translation>Pas h en s&#xa0;: le temps simulé que la méthode franchit d’un coup. Un pas plus petit est plus exact et coûte plus cher.</translation>
+    </message>
+    <message>
+        <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
+        <translation>Tolérance, sans unité&#xa0;: l’erreur que la méthode se permet dans un pas, en m, m/s, rad et rad/s. Elle choisit ses pas en conséquence.</translation>
+    </message>
+    <message>
+        <source>Compute the scene with this method, too</source>
+        <translation>Calculer la scène avec cette méthode aussi</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneCommands</name>
@@ -3013,6 +3621,18 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>larger than 64 MiB</source>
         <translation>plus de 64 MiB</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>not UTF-8 but UTF-16; save it as UTF-8</source>
+        <translation>en UTF-16 et non en UTF-8&#xa0;; enregistrez-le en UTF-8</translation>
+    </message>
+    <message>
+        <source>it is no file but a pipe or a device</source>
+        <translation>ce n’est pas un fichier mais un tube ou un périphérique</translation>
     </message>
 </context>
 <context>
@@ -3140,6 +3760,53 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>change of the cut</source>
         <translation>changement de la coupe</translation>
     </message>
+    <message>
+        <source>How many weights there are, hung up at even intervals. New ones are like the last one.</source>
+        <translation>Nombre de billes, accrochées à intervalles réguliers. Les nouvelles sont comme la dernière.</translation>
+    </message>
+    <message>
+        <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
+        <translation>Accélération de la chute libre g, en m/s². Elle tire chaque bille vers le bas avec la force m g. Sur Terre 9,81 m/s².</translation>
+    </message>
+    <message>
+        <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
+        <translation>Masse volumique de l’air ρ, en kg/m³. La traînée est F = ½ ρ c_d A v², opposée à la vitesse, avec A = π r². 1,2 kg/m³ au niveau de la mer, 0 pour le vide.</translation>
+    </message>
+    <message>
+        <source>Distance between the walls, in m.</source>
+        <translation>Distance entre les murs, en m.</translation>
+    </message>
+    <message>
+        <source>Distance between floor and ceiling, in m.</source>
+        <translation>Distance entre le sol et le plafond, en m.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Part e de la vitesse vers un mur, le sol ou le plafond avec laquelle une bille en repart&#xa0;: 1 ne perd rien, 0 ne rebondit pas.</translation>
+    </message>
+    <message>
+        <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
+        <translation>Coefficient de frottement μ des murs, du sol et du plafond. Le frottement vaut au plus μ fois la force, ou l’impulsion, qui presse la bille contre eux.</translation>
+    </message>
+    <message>
+        <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
+        <translation>Part e de la vitesse de rapprochement avec laquelle deux billes se séparent après un choc&#xa0;: 1 ne perd rien, 0 ne rebondit pas.</translation>
+    </message>
+    <message>
+        <source>Simulated time in s at which all ropes are cut.</source>
+        <translation>Temps simulé en s auquel toutes les cordes sont coupées.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SceneLoading</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
 </context>
 <context>
     <name>ui::SceneMarker</name>
@@ -3159,12 +3826,8 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <translation>Scène</translation>
     </message>
     <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1&#xa0;: impossible à écrire&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>%1: a picture&apos;s name must end in .png, .svg or .pdf</source>
-        <translation>%1&#xa0;: le nom d’une image doit se terminer par .png, .svg ou .pdf</translation>
+        <source>a picture&apos;s name must end in .png, .svg or .pdf</source>
+        <translation>le nom d’une image doit se terminer par .png, .svg ou .pdf</translation>
     </message>
 </context>
 <context>
@@ -3325,6 +3988,17 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Settings</name>
+    <message>
+        <source>The settings in %1 were damaged; what could not be read is as at first.</source>
+        <translation>Les réglages dans %1 étaient abîmés&#xa0;; ce qui était illisible est comme au départ.</translation>
+    </message>
+    <message>
+        <source>Settings are not remembered: nothing can be written to %1</source>
+        <translation>Les réglages ne sont pas gardés&#xa0;: impossible d’écrire dans %1</translation>
     </message>
 </context>
 <context>
@@ -3628,6 +4302,73 @@ en m</translation>
     <message>
         <source>%1 s: %2, weight: %3</source>
         <translation>%1 s&#xa0;: %2, bille&#xa0;: %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Visite</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>La scène</translation>
+    </message>
+    <message>
+        <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
+        <translation>Des billes accrochées à des cordes. Les pleines suivent la première méthode, les anneaux les autres. Au départ, glissez une bille pour tourner sa corde&#xa0;; la molette zoome.</translation>
+    </message>
+    <message>
+        <source>Play and cut</source>
+        <translation>Lire et couper</translation>
+    </message>
+    <message>
+        <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
+        <translation>Espace lance et arrête. C coupe toutes les cordes, R revient au début. Le ralenti fait durer un choc plusieurs secondes.</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Pas à pas</translation>
+    </message>
+    <message>
+        <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
+        <translation>Les flèches → et ← avancent et reculent d’un pas, I va au choc suivant. Glissez sur cette ligne pour revoir n’importe quel instant.</translation>
+    </message>
+    <message>
+        <source>Where the energy goes</source>
+        <translation>Où va l’énergie</translation>
+    </message>
+    <message>
+        <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
+        <translation>La courbe de l’énergie totale devrait être plate. Ce qu’elle monte ou descend, c’est la méthode qui l’a créé ou perdu, pas la nature.</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Les méthodes côte à côte</translation>
+    </message>
+    <message>
+        <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
+        <translation>Jusqu’à quatre méthodes calculent la même scène. Choisissez-les ici avec leurs pas, et voyez laquelle a raison. Leçons, en haut à droite, propose des scènes pour débuter.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Commencer</translation>
     </message>
 </context>
 <context>
@@ -4051,6 +4792,26 @@ en m</translation>
         <source>All weights in a table…</source>
         <translation>Toutes les billes en tableau…</translation>
     </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Longueur de la corde L, en m&#xa0;: de son pivot au centre de la bille. Une petite oscillation dure T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Angle θ de la corde au départ, en degrés depuis la verticale vers le bas, positif vers la droite.</translation>
+    </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masse m, en kg. Elle ne compte pas pour une oscillation sans air&#xa0;; dans l’air, une bille plus lourde est moins freinée.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Rayon r, en m. L’air rencontre la surface A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Coefficient de traînée c_d, sans unité&#xa0;: à quel point l’air retient la forme. 0,47 pour une sphère.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightsModel</name>
@@ -4168,6 +4929,132 @@ en m</translation>
     <message>
         <source>filling down</source>
         <translation>remplissage vers le bas</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowFace</name>
+    <message>
+        <source>Bring them back</source>
+        <translation>Les récupérer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Undo the change</source>
+        <translation>Annuler le changement</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for a crash: %1</source>
+        <translation>Les changements non enregistrés ne peuvent être mis à l’abri d’un plantage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Colors</source>
+        <translation>C&amp;ouleurs</translation>
+    </message>
+    <message>
+        <source>Like the &amp;desktop</source>
+        <translation>Comme le &amp;bureau</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Sombre</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Taille du te&amp;xte</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normale</translation>
+    </message>
+    <message>
+        <source>&amp;Large</source>
+        <translation>&amp;Grande</translation>
+    </message>
+    <message>
+        <source>&amp;Very large</source>
+        <translation>&amp;Très grande</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn by</source>
+        <translation>&amp;Dessiné par</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic choice</source>
+        <translation>Choix &amp;automatique</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;QPainter</source>
+        <translation>&amp;QPainter</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Lan&amp;gue</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>Non appliqué&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Angry Cuts</source>
+        <translation>%1[*] – Angry Cuts</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Nouvelle scène</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Dessiné par %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPanels</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Leçon</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Billes</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Simulations</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Inside a step</source>
+        <translation>Dans un pas</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Événements</translation>
+    </message>
+    <message>
+        <source>Weights table</source>
+        <translation>Tableau des billes</translation>
     </message>
 </context>
 <context>
