@@ -18,6 +18,7 @@
 #include "ui/panels/scene_form.h"
 #include "ui/panels/selection_links.h"
 #include "ui/panels/step_panel.h"
+#include "ui/panels/tab_rest.h"
 #include "ui/panels/weights_form.h"
 #include "ui/panels/weights_table.h"
 #include "ui/view/scene_area.h"
@@ -111,12 +112,7 @@ QDockWidget* WindowPanels::add(Qt::DockWidgetArea area, const char* name, const 
   dock->setObjectName(name);
   dock->setWidget(content);
   m_window->addDockWidget(area, dock);
-  // Qt leaves panels that stand behind another tab visible, out of sight: hidden they need not
-  // compute what they show, which saves a few ms in every frame of 10,000 weights.
-  QSizePolicy policy = content->sizePolicy();
-  policy.setRetainSizeWhenHidden(true);
-  content->setSizePolicy(policy);
-  QObject::connect(dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
+  new TabRest(dock);
   m_docks.push_back(dock);
   return dock;
 }

@@ -1,6 +1,5 @@
 // A screen of 1920 × 1080 pixels, each thing twice as large: 960 × 540 for the window.
 #include <QDockWidget>
-#include <QFile>
 #include <QLabel>
 #include <QLocale>
 #include <QScreen>
@@ -12,6 +11,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/support/offscreen_screen.h"
 #include "ui/chart/chart_widget.h"
 #include "ui/control/run_controller.h"
 #include "ui/files/scene_file.h"
@@ -27,11 +27,6 @@ namespace {
 
 constexpr QSize kScreen(960, 540);
 constexpr int kTitleBar = 24;  // px, of the desktop's frame
-
-/// As the platform of tests wants to be told what screens there are.
-const char* const kScreens =
-    R"({"screens": [{"name": "small", "x": 0, "y": 0, "width": 960, "height": 540,
-        "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}]})";
 
 QString describe(QSize size) {
   return QString("%1 × %2 px").arg(size.width()).arg(size.height());
@@ -52,19 +47,18 @@ class SmallScreenTest : public QObject {
   void cutsNothingOff();
   void namesCurvesBesideTheEnergies();
   void saysInPlaceOfTheSpeedHowSlowItIs();
+
+ private:
+  QTemporaryDir m_folder;
 };
 
 void SmallScreenTest::initMain() {
-  static const QTemporaryDir folder;
-  QFile screens(folder.filePath("screens.json"));
-  if (!screens.open(QIODevice::WriteOnly)) qFatal("no screen");
-  screens.write(kScreens);
-  qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + screens.fileName().toUtf8());
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+  tests::useScreen(kScreen);
 }
 
 void SmallScreenTest::initTestCase() {
   QLocale::setDefault(QLocale::c());
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
   QCOMPARE(QGuiApplication::primaryScreen()->size(), kScreen);
 }
 

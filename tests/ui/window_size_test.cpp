@@ -1,5 +1,7 @@
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QLocale>
+#include <QScreen>
 #include <QSettings>
 #include <QTabBar>
 #include <QTemporaryDir>
@@ -7,6 +9,7 @@
 
 #include "core/scene/scene.h"
 #include "core/trade/reference.h"
+#include "tests/support/offscreen_screen.h"
 #include "ui/control/run_controller.h"
 #include "ui/files/scene_file.h"
 #include "ui/main_window.h"
@@ -35,6 +38,9 @@ core::Scene sceneWith(int runCount) {
 class WindowSizeTest : public QObject {
   Q_OBJECT
 
+ public:
+  static void initMain() { tests::useScreen(kScreen); }
+
  private slots:
   void initTestCase();
   void fitsOnAProjector_data();
@@ -48,6 +54,7 @@ class WindowSizeTest : public QObject {
 void WindowSizeTest::initTestCase() {
   QLocale::setDefault(QLocale::c());
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+  QCOMPARE(QGuiApplication::primaryScreen()->size(), kScreen);
 }
 
 void WindowSizeTest::fitsOnAProjector_data() {

@@ -5,9 +5,9 @@
 
 #include <QApplication>
 #include <QScreen>
-#include <QStyleFactory>
 
 #include "ui/style/desktop_scheme.h"
+#include "ui/style/outlined_style.h"
 #include "ui/style/palette.h"
 #include "ui/style/theme.h"
 
@@ -28,7 +28,7 @@ double pointsOn(int height) {
 
 Appearance::Appearance(QObject* parent)
     : QObject(parent), m_desktop(new DesktopScheme(this)), m_original(QApplication::font()) {
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setStyle(new OutlinedStyle);
   connect(m_desktop, &DesktopScheme::darkChanged, this, &Appearance::applyColors);
   applyColors();
   applyType();

@@ -1,10 +1,11 @@
 #include "ui/style/palette.h"
 
-#include <cmath>
-
 #include <QTest>
 
+#include "tests/support/contrast.h"
 #include "ui/style/theme.h"
+
+using tests::contrast;
 
 class PaletteTest : public QObject {
   Q_OBJECT
@@ -14,26 +15,6 @@ class PaletteTest : public QObject {
   void everyTextCanBeRead();
   void makesDrawingsFollow();
 };
-
-namespace {
-
-double linear(double channel) {
-  return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-}
-
-double luminance(const QColor& color) {
-  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
-         0.0722 * linear(color.blueF());
-}
-
-/// Contrast as the Web Content Accessibility Guidelines 2.1 define it, 1 to 21.
-double contrast(const QColor& a, const QColor& b) {
-  const double lighter = std::max(luminance(a), luminance(b));
-  const double darker = std::min(luminance(a), luminance(b));
-  return (lighter + 0.05) / (darker + 0.05);
-}
-
-}  // namespace
 
 void PaletteTest::everyTextCanBeRead_data() {
   QTest::addColumn<bool>("dark");
