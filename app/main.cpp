@@ -4,6 +4,7 @@
 #include <variant>
 
 #include <QApplication>
+#include <QLocale>
 #include <QStringList>
 
 #include "app/demonstration.h"
@@ -16,65 +17,74 @@
 #include "app/window_command.h"
 #include "core/system/streams.h"
 #include "ui/control/first_scene.h"
+#include "ui/control/translations.h"
 
 namespace {
 
 /// Where Qt would abort, because a display cannot be opened as a rule, the program ends with
-/// one clear line instead. Remarks about a desktop are left out where none is needed.
+/// a clear line instead. Remarks about a desktop are left out where none is needed.
 void showMessage(QtMsgType type, const QMessageLogContext& context, const QString& message) {
   if (type == QtFatalMsg) {
-    std::_Exit(app::failure(
-        app::kFailed, QCoreApplication::translate("app::main", "the window cannot be opened: %1")
-                          .arg(message.section('\n', 0, 0))));
+    std::_Exit(app::failure(app::kFailed, app::windowFailure(message.section('\n', 0, 0))));
   }
   if (app::hasDisplay() || type == QtCriticalMsg) {
     std::fprintf(stderr, "%s\n", qFormatLogMessage(type, context, message).toUtf8().constData());
   }
 }
 
+/// The environment's language and the numbers of files, in which other programs read them.
+void speakAsCommand() {
+  ui::speak(ui::Language::kDesktop);
+  QLocale::setDefault(QLocale::c());
+}
+
 /// Runs what the command line asks for.
 class Dispatch {
  public:
-  Dispatch(int& argc, char** argv) : m_argc(argc), m_argv(argv) {}
-
-  app::ExitStatus operator()(const app::HelpCall&) const { return app::printed(app::helpText()); }
-
-  app::ExitStatus operator()(const app::VersionCall&) const {
-    return app::printed(app::versionText());
+  Dispatch(int& argc, char** argv)
+      : m_argc(argc), m_argv(argv), m_application(std::make_unique<QCoreApplication>(argc, argv)) {
+    speakAsCommand();
   }
 
-  app::ExitStatus operator()(const app::ScenesCall& call) const { return app::runScenes(call); }
+  app::ExitStatus operator()(const app::HelpCall&) { return app::printed(app::helpText()); }
 
-  app::ExitStatus operator()(const app::SimulateCall& call) const {
-    std::unique_ptr<QApplication> application;
-    if (!call.chart.isEmpty()) application = applicationWithoutDisplay();
+  app::ExitStatus operator()(const app::VersionCall&) { return app::printed(app::versionText()); }
+
+  app::ExitStatus operator()(const app::ScenesCall& call) { return app::runScenes(call); }
+
+  app::ExitStatus operator()(const app::SimulateCall& call) {
+    if (!call.chart.isEmpty()) drawWithoutDisplay();
     return app::runSimulate(call);
   }
 
-  app::ExitStatus operator()(const app::MeasureCall& call) const {
-    std::unique_ptr<QApplication> application;
-    if (!call.chart.isEmpty()) application = applicationWithoutDisplay();
+  app::ExitStatus operator()(const app::MeasureCall& call) {
+    if (!call.chart.isEmpty()) drawWithoutDisplay();
     return app::runMeasure(call);
   }
 
-  app::ExitStatus operator()(const app::WindowCall& call) const {
+  app::ExitStatus operator()(const app::WindowCall& call) {
     if (app::hasDisplay()) {
+      m_application.reset();
+      app::startNoBus();
       QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);  // docks float
-      const QApplication application(m_argc, m_argv);
+      m_application = std::make_unique<QApplication>(m_argc, m_argv);
       return app::runWindow(call);
     }
-    const std::unique_ptr<QApplication> application = applicationWithoutDisplay();
+    drawWithoutDisplay();
     return app::runDemonstration(call.scene.isEmpty() ? ui::kDemonstration : call.scene);
   }
 
  private:
-  std::unique_ptr<QApplication> applicationWithoutDisplay() const {
+  void drawWithoutDisplay() {
+    m_application.reset();
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    return std::make_unique<QApplication>(m_argc, m_argv);
+    m_application = std::make_unique<QApplication>(m_argc, m_argv);
+    speakAsCommand();
   }
 
   int& m_argc;
   char** m_argv;
+  std::unique_ptr<QCoreApplication> m_application;
 };
 
 QStringList argumentsOf(int argc, char** argv) {
@@ -90,7 +100,9 @@ int main(int argc, char** argv) {
   core::outliveClosedPipes();
   qInstallMessageHandler(showMessage);
 
-  const app::CallOrError parsed = app::parseCall(argumentsOf(argc, argv));
+  const QStringList arguments = argumentsOf(argc, argv);
+  Dispatch dispatch(argc, argv);
+  const app::CallOrError parsed = app::parseCall(arguments);
   if (!parsed.call) return app::failure(app::kRefused, parsed.error);
-  return std::visit(Dispatch(argc, argv), *parsed.call);
+  return std::visit(dispatch, *parsed.call);
 }

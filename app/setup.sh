@@ -10,17 +10,18 @@ project=$(CDPATH='' cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(
   g++ cmake ninja-build libeigen3-dev
   qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools
-  libgl1-mesa-dri fonts-dejavu-core
+  libgl1-mesa-dri fonts-dejavu-core qt6-translations-l10n
 )
 
 # To make a package besides: it finds out which libraries the program needs.
 # shellcheck disable=SC2034
 package_packages=(dpkg-dev file)
 
-# To test besides: a virtual screen, what checks the files a desktop reads, and shells.
+# To test besides: a virtual screen, a message bus, what checks the files a desktop reads, shells,
+# and what watches system calls.
 # shellcheck disable=SC2034
 test_packages=(
-  xvfb xauth desktop-file-utils appstream shared-mime-info groff-base zsh fish
+  xvfb xauth dbus-daemon desktop-file-utils appstream shared-mime-info groff-base zsh fish strace
   "${package_packages[@]}"
 )
 
@@ -77,7 +78,7 @@ install_packages() {
   as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
 }
 
-# Configures, and builds one target in Release in build/release.
+# Configures, and builds targets in Release in build/release.
 build_release() {
   local -a options=() ninja=()
   # Nobody reads the warnings of a build without a person in front of it, so they stop it.
@@ -87,5 +88,5 @@ build_release() {
   [ -e "$project/build/release/build.ninja" ] ||
     say "building in $project/build/release, which takes minutes the first time"
   cmake -S "$project" --preset release "${options[@]}" >/dev/null
-  cmake --build "$project/build/release" --target "$1" "${ninja[@]}" >&2
+  cmake --build "$project/build/release" --target "$@" "${ninja[@]}" >&2
 }

@@ -134,7 +134,9 @@ void MainMenu::addChartMenu(QMenuBar* bar, const Commands& commands) {
 
 void MainMenu::addHelpMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* help = bar->addMenu(tr("&Help"));
-  addCommands(help, commands, {Command::kKeys, Command::kAbout});
+  addCommands(help, commands, {Command::kGuide, Command::kTour, Command::kKeys, Command::kModel, Command::kSheet});
+  help->addSeparator();
+  addCommands(help, commands, {Command::kAbout});
 }
 
 void MainMenu::addChoice(const QString& title, const QStringList& words, int chosen,

@@ -72,6 +72,8 @@ class alignas(64) Lanes {
   Values m_values;
 };
 
+static_assert(alignof(Lanes) == 64 && sizeof(Lanes) == 64);
+
 inline bool allWithin(double a, double bound) {
   return std::abs(a) <= bound;
 }

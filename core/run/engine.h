@@ -169,6 +169,8 @@ class Engine {
   double boundaryAfter(double s) const;
   /// How much less exactly groups as large as the largest now are solved, ≥ 1.
   double looseness() const;
+  /// How far weights that lean on each other are kept apart [m].
+  double skin() const;
   int mostSweeps() const;
 
   // Weights in their states.

@@ -27,6 +27,7 @@ constexpr int kLeastSweeps = 60;
 // solved more loosely, in proportion, but not more than ten times.
 constexpr double kExactlySolved = 200;
 constexpr double kLoosest = 10;
+constexpr double kMostSkin = kSkin * kLoosest;  // [m]
 
 // A group falls asleep when all its weights have been slower than this share of √(2 g r)
 // for this many times √(2 r / g), the time in which what stands on a point leaves it by a
@@ -39,6 +40,10 @@ constexpr double kStillTimes = 13;
 
 double Engine::looseness() const {
   return std::clamp(m_settledCount / kExactlySolved, 1.0, kLoosest);
+}
+
+double Engine::skin() const {
+  return kSkin * looseness();
 }
 
 int Engine::mostSweeps() const {
@@ -62,13 +67,14 @@ std::vector<int> Engine::wakeTouching() {
     members.push_back(index);
     const Piece& piece = m_moving[index].piece;
     const Eigen::Vector2d place = positionOf(m_bodies[index], piece.mode, piece.endState);
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(m_bodies[index].radius + 2 * kSkin);
+    const Eigen::Vector2d margin =
+        Eigen::Vector2d::Constant(m_bodies[index].radius + 2 * kMostSkin);
     m_broadPhase.forEachNear({place - margin, place + margin}, [&](int other) {
       Moving& moving = m_moving[other];
       if (!moving.asleep) return;
       const Eigen::Vector2d there =
           positionOf(m_bodies[other], moving.piece.mode, moving.piece.beginState);
-      const double touching = m_bodies[index].radius + m_bodies[other].radius + 2 * kSkin;
+      const double touching = m_bodies[index].radius + m_bodies[other].radius + 2 * kMostSkin;
       if ((there - place).squaredNorm() > touching * touching) return;
       moving.asleep = false;  // and again asleep after the solve, if that does not move it
       open.push_back(other);

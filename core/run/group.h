@@ -16,7 +16,8 @@ enum Surface { kFloor = -1, kCeiling = -2, kWest = -3, kEast = -4, kRopeEnd = -5
 constexpr double kTouchingGap = 1e-9;
 
 /// Weights that lean on each other are kept this far apart [m]: what a bounded number of sweeps
-/// leaves unsolved in a stretch is less, so that they do not overlap.
+/// leaves unsolved in a stretch is less, so that they do not overlap. In large heaps it leaves
+/// more, and they are kept further apart: Engine::skin().
 constexpr double kSkin = 4e-6;
 
 /// What pushes a weight of a group.
@@ -88,6 +89,7 @@ class Engine::Group {
   double kineticEnergy() const;
   void lookAt(int local, int other);
   void addSurfacesOf(int local);
+  double widened(double gap) const;
   void addContact(const RestingContact& contact, int key);
   void link(const RestingContact& contact, int key);
   bool hasContact(int local, int key) const;

@@ -3,15 +3,11 @@
 #include <QtTest>
 
 #include "core/trade/settings.h"
+#include "tests/support/called_program.h"
+
+using tests::Outcome;
 
 namespace {
-
-/// What a call of the program left behind.
-struct Outcome {
-  int status = -1;
-  QByteArray output;
-  QByteArray error;
-};
 
 /// Rows of a CSV table without its header, field by field.
 QList<QByteArrayList> rowsIn(const QByteArray& csv) {
@@ -52,10 +48,8 @@ class MeasureCommandTest : public QObject {
 
  private:
   Outcome run(const QStringList& arguments) const;
-  QString write(const QString& name, const QByteArray& content) const;
-  QString path(const QString& name) const { return m_folder.filePath(name); }
 
-  QTemporaryDir m_folder;
+  tests::CalledProgram m_program{ANGRYCUTS_PROGRAM};
   QString m_pendulum;
 };
 
@@ -63,24 +57,11 @@ void MeasureCommandTest::initTestCase() {
   QFile reference(ANGRYCUTS_REFERENCE_DIR "/pendulum-vacuum-120.json");
   QVERIFY(reference.open(QIODevice::ReadOnly));
   const QJsonObject scene = QJsonDocument::fromJson(reference.readAll())["scene"].toObject();
-  m_pendulum = write("pendulum.json", QJsonDocument(scene).toJson());
-}
-
-QString MeasureCommandTest::write(const QString& name, const QByteArray& content) const {
-  QFile file(path(name));
-  if (!file.open(QIODevice::WriteOnly)) qFatal("no room for the test's files");
-  file.write(content);
-  return file.fileName();
+  m_pendulum = m_program.write("pendulum.json", QJsonDocument(scene).toJson());
 }
 
 Outcome MeasureCommandTest::run(const QStringList& arguments) const {
-  QProcess process;
-  process.setWorkingDirectory(m_folder.path());
-  process.start(ANGRYCUTS_PROGRAM, QStringList{"measure"} + arguments);
-  process.waitForFinished(120'000);
-  const bool ended = process.exitStatus() == QProcess::NormalExit;
-  return {ended ? process.exitCode() : -1, process.readAllStandardOutput(),
-          process.readAllStandardError()};
+  return m_program.call(QStringList{"measure"} + arguments);
 }
 
 void MeasureCommandTest::writesARowForEachSettingOfEachMethod() {
@@ -130,7 +111,8 @@ void MeasureCommandTest::untilAndCutAreTakenAsForSimulate() {
   QCOMPARE(stepsOf({"--until", "1", "--cut", "never"})[2], QByteArray("8"));
   QCOMPARE(stepsOf({"--until", "1.1"})[2], QByteArray("9"));
   // Without air a cut at once leaves a fall that Euler gets wrong by g t h / 2 at its end.
-  const QString hanging = write("fall.json", R"({"format": "angry-cuts/scene", "version": 1,
+  const QString hanging =
+      m_program.write("fall.json", R"({"format": "angry-cuts/scene", "version": 1,
       "gravity": 10, "airDensity": 0, "room": {"width": 10, "height": 10},
       "weights": [{"rope": {"pivot": [5, 9]}}]})");
   const QByteArrayList row =
@@ -139,7 +121,8 @@ void MeasureCommandTest::untilAndCutAreTakenAsForSimulate() {
 }
 
 void MeasureCommandTest::saysWhatDivergedAndWhen() {
-  const Outcome outcome = run({write("thick.json", kThickAir), "--until", "2", "--csv", "-"});
+  const Outcome outcome =
+      run({m_program.write("thick.json", kThickAir), "--until", "2", "--csv", "-"});
   QCOMPARE(outcome.status, 0);
   const QByteArrayList first = rowsIn(outcome.output)[0];
   static const QRegularExpression kOutcome("^diverged at ([0-9.]+)$");
@@ -154,7 +137,7 @@ void MeasureCommandTest::writesTheChartBesideTheTable() {
       run({"one-pendulum", "--until", "1", "--csv", "m.csv", "--chart", "m.svg"});
   QCOMPARE(outcome.status, 0);
   QCOMPARE(outcome.output, QByteArray());
-  QFile csv(path("m.csv")), chart(path("m.svg"));
+  QFile csv(m_program.path("m.csv")), chart(m_program.path("m.svg"));
   QVERIFY(csv.open(QIODevice::ReadOnly) && chart.open(QIODevice::ReadOnly));
   QVERIFY(csv.readAll().startsWith(kHeader));
   QVERIFY(chart.readAll().contains("Computing time per simulated second"));

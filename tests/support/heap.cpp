@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace tests {
@@ -33,18 +34,10 @@ std::shared_ptr<const core::Scene> pouredHeap(int count, double restitution, std
   return scene;
 }
 
-double largestOverlap(const core::Run& run) {
-  struct Disc {
-    Eigen::Vector2d center;
-    double radius;
-  };
-  std::vector<Disc> discs;
+double largestOverlap(std::vector<PlacedDisc> discs) {
   double widest = 0;
-  for (int i = 0; i < run.weightCount(); ++i) {
-    discs.push_back({run.weight(i).position, run.scene().weights[i].radius});
-    widest = std::max(widest, discs.back().radius);
-  }
-  std::ranges::sort(discs, {}, [](const Disc& disc) { return disc.center.y(); });
+  for (const PlacedDisc& disc : discs) widest = std::max(widest, disc.radius);
+  std::ranges::sort(discs, {}, [](const PlacedDisc& disc) { return disc.center.y(); });
   double largest = 0;
   for (std::size_t i = 0; i < discs.size(); ++i)
     for (std::size_t j = i + 1; j < discs.size(); ++j) {
@@ -53,6 +46,13 @@ double largestOverlap(const core::Run& run) {
       largest = std::max(largest, discs[i].radius + discs[j].radius - apart.norm());
     }
   return largest;
+}
+
+double largestOverlap(const core::Run& run) {
+  std::vector<PlacedDisc> discs;
+  for (int i = 0; i < run.weightCount(); ++i)
+    discs.push_back({run.weight(i).position, run.scene().weights[i].radius});
+  return largestOverlap(std::move(discs));
 }
 
 HeapFigures runHeap(const std::shared_ptr<const core::Scene>& scene, const core::Solver& solver,

@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "core/run/run.h"
 #include "core/scene/scene.h"
@@ -16,7 +19,16 @@ namespace tests {
 std::shared_ptr<const core::Scene> pouredHeap(int count, double restitution,
                                               std::uint32_t seed = 1);
 
-/// How far two weights overlap at most [m]; 0 if none do.
+/// A disc in the room [m].
+struct PlacedDisc {
+  Eigen::Vector2d center;
+  double radius;
+};
+
+/// How far two discs overlap at most [m]; 0 if none do.
+double largestOverlap(std::vector<PlacedDisc> discs);
+
+/// The same of a run's weights.
 double largestOverlap(const core::Run& run);
 
 /// What became of a heap, for the bounds it must keep.

@@ -10,6 +10,7 @@
 
 #include "core/scene/arrangement.h"
 #include "tests/support/endless_step.h"
+#include "tests/support/swinging_scene.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/scene_editor.h"
@@ -18,19 +19,10 @@
 #include "ui/panels/travel_bar.h"
 #include "ui/view/scene_area.h"
 
+using tests::swingingScene;
 using ui::MainWindow;
 
-namespace {
-
-core::Scene swingingScene(int count = 3) {
-  core::Scene scene = core::withWeightCount(core::Scene(), count);
-  for (core::Weight& weight : scene.weights)
-    if (weight.rope) weight.rope->angle = 0.5;
-  scene.solvers = {{.method = "rk4"}, {.method = "euler"}};
-  return scene;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 /// A window whose runs take longer than it may wait for.
 class BusyWindowTest : public QObject {

@@ -23,6 +23,8 @@
 #include <QWheelEvent>
 
 #include "core/scene/arrangement.h"
+#include "tests/support/shown_window.h"
+#include "tests/support/swinging_scene.h"
 #include "ui/chart/chart_kind.h"
 #include "ui/chart/chart_widget.h"
 #include "ui/chart/curves_item.h"
@@ -35,33 +37,19 @@
 #include "ui/style/theme.h"
 #include "ui/view/scene_view.h"
 
+using tests::swingingScene;
 using ui::ChartWidget;
-using ui::MainWindow;
 
 namespace {
 
 constexpr int kPhase = 2;
 constexpr int kHeight = 4;
 
-core::Scene swingingScene(int weights = 3) {
-  core::Scene scene = core::withWeightCount(core::Scene(), weights);
-  for (core::Weight& weight : scene.weights) weight.rope->angle = 0.5;
-  scene.name = "Some that swing";
-  scene.solvers = {{.method = "rk4"}, {.method = "euler"}};
-  return scene;
-}
-
 /// The window on the screen, with a run of some seconds behind it.
-class ShownWindow : public MainWindow {
+class ChartsWindow : public tests::ShownWindow {
  public:
-  explicit ShownWindow(const core::Scene& scene = swingingScene(), QSize size = QSize(1280, 720))
-      : MainWindow(scene) {
-    setWindowState(Qt::WindowNoState);
-    resize(size);
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
-    controller()->setStopwatch([] { return 0.0; });
-  }
+  explicit ChartsWindow(const core::Scene& scene = swingingScene(), QSize size = tests::kProjector)
+      : ShownWindow(scene, size) {}
 
   void play(double seconds) {
     controller()->play();
@@ -131,7 +119,7 @@ void ChartsWindowTest::initTestCase() {
 }
 
 void ChartsWindowTest::offersEveryKindByTabAndKey() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(0.5);
   QCOMPARE(window.kinds().count(), static_cast<int>(ui::chartKinds().size()));
   for (const ui::ChartKind& kind : ui::chartKinds()) {
@@ -149,7 +137,7 @@ void ChartsWindowTest::offersEveryKindByTabAndKey() {
 }
 
 void ChartsWindowTest::tabsTakeArrowsOnlyWhileTheyHaveTheFocus() {
-  ShownWindow window;
+  ChartsWindow window;
   QTest::keyClick(&window, Qt::Key_Right);
   QVERIFY(window.controller()->time() > 0);  // stepped
   const double before = window.controller()->time();
@@ -160,14 +148,14 @@ void ChartsWindowTest::tabsTakeArrowsOnlyWhileTheyHaveTheFocus() {
 }
 
 void ChartsWindowTest::followsTheRun() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(1);
   QTRY_COMPARE(window.chart().plot().caches()[0].points().back().time,
                window.controller()->run(0).time());
 }
 
 void ChartsWindowTest::draggingTheTimeLineGoesBackEverywhere() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(2);
   const core::WeightState end = window.controller()->run(0).weight(1);
   QTest::mousePress(&window.chart(), Qt::LeftButton, {}, window.placeOf({2, 0.1}));
@@ -182,7 +170,7 @@ void ChartsWindowTest::draggingTheTimeLineGoesBackEverywhere() {
 }
 
 void ChartsWindowTest::pickingOnAPathGoesThere() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(0.7);
   window.charts()->chooseKind(kPhase);
   window.chart().grab();
@@ -193,7 +181,7 @@ void ChartsWindowTest::pickingOnAPathGoesThere() {
 }
 
 void ChartsWindowTest::choosesAWeightByKey() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(0.5);
   QVERIFY(!window.weight().isVisible());  // energies are of all
   window.charts()->chooseKind(kHeight);
@@ -207,7 +195,7 @@ void ChartsWindowTest::choosesAWeightByKey() {
 }
 
 void ChartsWindowTest::followsAWeightAmongManyOnceItIsChosen() {
-  ShownWindow window(swingingScene(30));
+  ChartsWindow window(swingingScene(30));
   window.play(0.5);
   window.charts()->chooseKind(kHeight);
   QCOMPARE(window.chart().plot().content().note, QString("The first 24 of 30 weights"));
@@ -220,7 +208,7 @@ void ChartsWindowTest::followsAWeightAmongManyOnceItIsChosen() {
 }
 
 void ChartsWindowTest::choosesRuns() {
-  ShownWindow window;
+  ChartsWindow window;
   auto* runs = window.charts()->choosers()->findChild<QComboBox*>();
   QCOMPARE(runs->count(), 3);
   QCOMPARE(window.chart().plot().subject().runs.size(), std::size_t{2});
@@ -233,7 +221,7 @@ void ChartsWindowTest::choosesRuns() {
 }
 
 void ChartsWindowTest::zoomsByWheelAndResetsByKey() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(1);
   const QPointF place = window.chart().plotArea().center();
   QWheelEvent turn(place, window.chart().mapToGlobal(place), QPoint(), QPoint(0, 360), Qt::NoButton,
@@ -247,7 +235,7 @@ void ChartsWindowTest::zoomsByWheelAndResetsByKey() {
 }
 
 void ChartsWindowTest::copiesPictureAndDataByKey() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(0.5);
   window.controller()->stepOnce();  // which the chart has had no time to draw
   QTest::keyClick(&window, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
@@ -262,7 +250,7 @@ void ChartsWindowTest::copiesPictureAndDataByKey() {
 }
 
 void ChartsWindowTest::hidesCurvesFromTheMenu() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(0.5);
   auto* menu = window.charts()->findChild<QMenu*>();
   emit menu->aboutToShow();
@@ -278,7 +266,7 @@ void ChartsWindowTest::hidesCurvesFromTheMenu() {
 }
 
 void ChartsWindowTest::exportsWhatIsShownAtTheChosenSize() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(1);
   window.charts()->chooseKind(kHeight);
   const QString all = m_folder.filePath("all.svg");
@@ -299,7 +287,7 @@ void ChartsWindowTest::exportsWhatIsShownAtTheChosenSize() {
 }
 
 void ChartsWindowTest::asksForTheSize() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(0.5);
   QTimer::singleShot(0, this, [this] {
     QDialog* size = dialogInFront();
@@ -328,7 +316,7 @@ void ChartsWindowTest::asksForTheSize() {
 }
 
 void ChartsWindowTest::exportsNothingWhenTheSizeIsCancelled() {
-  ShownWindow window;
+  ChartsWindow window;
   bool asked = false;
   QTimer::singleShot(0, this, [&asked] {
     asked = dialogInFront() != nullptr;
@@ -340,7 +328,7 @@ void ChartsWindowTest::exportsNothingWhenTheSizeIsCancelled() {
 }
 
 void ChartsWindowTest::staysLightOnPaperInADarkWindow() {
-  ShownWindow window;
+  ChartsWindow window;
   window.play(0.5);
   for (QAction* action : window.findChildren<QAction*>()) {
     if (action->text().remove('&') == "Dark") action->trigger();
@@ -356,7 +344,7 @@ void ChartsWindowTest::staysLightOnPaperInADarkWindow() {
 
 void ChartsWindowTest::givesTheSceneMostOfTheHeight() {
   for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
-    ShownWindow window(swingingScene(), size);
+    ChartsWindow window(swingingScene(), size);
     const auto* dock = window.findChild<QDockWidget*>("charts");
     const double scene = window.findChild<ui::SceneView*>()->height();
     const double share = scene / (scene + dock->height());
@@ -367,7 +355,7 @@ void ChartsWindowTest::givesTheSceneMostOfTheHeight() {
 void ChartsWindowTest::remembersTheSplitter() {
   int height = 0;
   {
-    ShownWindow window(swingingScene(), QSize(1600, 1000));
+    ChartsWindow window(swingingScene(), QSize(1600, 1000));
     auto* dock = window.findChild<QDockWidget*>("charts");
     const int before = dock->height();
     window.resizeDocks({dock}, {before + 100}, Qt::Vertical);
@@ -375,7 +363,7 @@ void ChartsWindowTest::remembersTheSplitter() {
     height = dock->height();
     window.close();
   }
-  ShownWindow window(swingingScene(), QSize(1600, 1000));
+  ChartsWindow window(swingingScene(), QSize(1600, 1000));
   QCOMPARE(window.findChild<QDockWidget*>("charts")->height(), height);
 }
 

@@ -17,6 +17,7 @@
 #include <QUrl>
 
 #include "core/scene/arrangement.h"
+#include "tests/support/shown_window.h"
 #include "ui/control/commands.h"
 #include "ui/control/first_scene.h"
 #include "ui/control/run_controller.h"
@@ -28,6 +29,7 @@
 #include "ui/panels/charts_panel.h"
 #include "ui/panels/quantity_field.h"
 
+using tests::showInFront;
 using ui::Command;
 using ui::MainWindow;
 
@@ -41,11 +43,6 @@ core::Scene sceneOf(int weights) {
 
 std::size_t weightsIn(const MainWindow& window) {
   return window.controller()->scene().weights.size();
-}
-
-void showAndActivate(MainWindow& window) {
-  window.show();
-  QVERIFY(QTest::qWaitForWindowActive(&window));
 }
 
 void modify(MainWindow& window) {
@@ -177,7 +174,7 @@ void FilesWindowTest::everyWayOfLeavingAsksFirst() {
   QFETCH(std::function<void(MainWindow&, const QString&)>, leave);
   const QString file = saved("two.json", 2);
   MainWindow window(sceneOf(3), file);
-  showAndActivate(window);
+  showInFront(window);
   modify(window);
   const Answers answers({QMessageBox::Cancel});
   leave(window, file);
@@ -191,7 +188,7 @@ void FilesWindowTest::everyWayOfLeavingAsksFirst() {
 
 void FilesWindowTest::tellsWhatIsNotSavedOfADraft() {
   MainWindow window(sceneOf(3), saved("three.json", 3));
-  showAndActivate(window);
+  showInFront(window);
   window.editor()->change([](core::Scene& draft) { draft.room.width = 0.5; });
   QString told;
   QTimer::singleShot(0, this, [&] {
@@ -253,7 +250,7 @@ void FilesWindowTest::clearsTheListOfRecentFiles() {
 
 void FilesWindowTest::opensASceneDroppedAnywhere() {
   MainWindow window(sceneOf(3));
-  showAndActivate(window);
+  showInFront(window);
   QVERIFY(drop(&window, {QUrl::fromLocalFile(saved("two.json", 2))}));
   QCOMPARE(weightsIn(window), std::size_t{2});
   auto* field = window.findChild<ui::QuantityField*>()->spinBox();
@@ -280,7 +277,7 @@ void FilesWindowTest::saysWhyADropIsNoScene() {
   note.write("a note");
   note.close();
   MainWindow window(sceneOf(3));
-  showAndActivate(window);
+  showInFront(window);
   QList<QUrl> urls;
   for (const QString& name : names) {
     urls << (name.startsWith("http") ? QUrl(name) : QUrl::fromLocalFile(m_folder->filePath(name)));
@@ -294,7 +291,7 @@ void FilesWindowTest::saysWhyADropIsNoScene() {
 
 void FilesWindowTest::leavesDroppedTextToTheFields() {
   MainWindow window(sceneOf(3));
-  showAndActivate(window);
+  showInFront(window);
   QMimeData data;
   data.setText("12");
   QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -348,7 +345,7 @@ void FilesWindowTest::comesBackAsItWasLeft() {
   const QRect place(40, 50, 700, 560);
   {
     MainWindow window(sceneOf(3));
-    showAndActivate(window);
+    showInFront(window);
     window.setWindowState(Qt::WindowNoState);
     window.setGeometry(place);
     QTest::keyClick(&window, Qt::Key_Comma);

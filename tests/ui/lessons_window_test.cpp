@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "core/scene/arrangement.h"
+#include "tests/support/shown_window.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/scene_editor.h"
@@ -23,13 +24,11 @@
 #include "ui/style/palette.h"
 #include "ui/style/theme.h"
 
+using tests::kProjector;
 using ui::Command;
 using ui::LessonChooser;
-using ui::MainWindow;
 
 namespace {
-
-constexpr QSize kProjector(1280, 720);
 
 core::Scene ownScene() {
   core::Scene scene = core::withWeightCount(core::Scene(), 1);
@@ -38,15 +37,10 @@ core::Scene ownScene() {
 }
 
 /// The window on the screen, with a lesson in it.
-class ShownWindow : public MainWindow {
+class LessonsWindow : public tests::ShownWindow {
  public:
-  explicit ShownWindow(const core::Scene& scene = ui::builtInScene("seven-weights"))
-      : MainWindow(scene) {
-    setWindowState(Qt::WindowNoState);
-    resize(kProjector);
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
-  }
+  explicit LessonsWindow(const core::Scene& scene = ui::builtInScene("seven-weights"))
+      : ShownWindow(scene) {}
 
   LessonChooser* openMenu() {
     QTest::keyClick(this, Qt::Key_L, Qt::ControlModifier);
@@ -107,7 +101,7 @@ void LessonsWindowTest::init() {
 }
 
 void LessonsWindowTest::opensALessonByKeys() {
-  ShownWindow window;
+  LessonsWindow window;
   LessonChooser* menu = window.openMenu();
   QTest::keyClick(menu->list(), Qt::Key_Home);
   QTest::keyClick(menu->list(), Qt::Key_Right);
@@ -117,7 +111,7 @@ void LessonsWindowTest::opensALessonByKeys() {
 }
 
 void LessonsWindowTest::opensALessonByAClickOnItsPicture() {
-  ShownWindow window;
+  LessonsWindow window;
   LessonChooser* menu = window.openMenu();
   const QListWidgetItem* item = menu->list()->item(2);
   QTest::mouseClick(menu->list()->viewport(), Qt::LeftButton, {},
@@ -127,7 +121,7 @@ void LessonsWindowTest::opensALessonByAClickOnItsPicture() {
 }
 
 void LessonsWindowTest::aButtonOpensTheMenu() {
-  ShownWindow window;
+  LessonsWindow window;
   for (QToolButton* button : window.menuBar()->cornerWidget()->findChildren<QToolButton*>())
     if (button->defaultAction() == window.commands().action(Command::kLessons))
       QTest::mouseClick(button, Qt::LeftButton);
@@ -136,7 +130,7 @@ void LessonsWindowTest::aButtonOpensTheMenu() {
 }
 
 void LessonsWindowTest::everyCardIsReachedByArrowKeys() {
-  ShownWindow window;
+  LessonsWindow window;
   QListWidget* list = window.openMenu()->list();
   QTest::keyClick(list, Qt::Key_Home);
   for (int row = 1; row < list->count(); ++row) {
@@ -157,7 +151,7 @@ void LessonsWindowTest::everyCardIsReachedByArrowKeys() {
 }
 
 void LessonsWindowTest::everyCardCanBeSeenOnAProjector() {
-  ShownWindow window;
+  LessonsWindow window;
   LessonChooser* menu = window.openMenu();
   menu->resize(kProjector * 0.94);
   QCoreApplication::processEvents();
@@ -174,7 +168,7 @@ void LessonsWindowTest::everyCardCanBeSeenOnAProjector() {
 }
 
 void LessonsWindowTest::drawsEveryPictureInTheColorsInForce() {
-  ShownWindow window;
+  LessonsWindow window;
   QListWidget* list = window.openMenu()->list();
   const auto picture = [&](int row) {
     return list->item(row)->data(Qt::DecorationRole).value<QImage>();
@@ -197,12 +191,12 @@ void LessonsWindowTest::drawsEveryPictureInTheColorsInForce() {
 }
 
 void LessonsWindowTest::marksTheLessonThatIsOpen() {
-  ShownWindow window(ui::builtInScene("pile"));
+  LessonsWindow window(ui::builtInScene("pile"));
   QCOMPARE(window.openMenu()->list()->currentItem()->text(), titleOf("pile"));
 }
 
 void LessonsWindowTest::showsWhatToLookForAndToTry() {
-  ShownWindow window;
+  LessonsWindow window;
   for (const ui::Lesson& lesson : ui::lessons()) {
     window.files()->openBuiltIn(lesson.name);
     QCoreApplication::processEvents();  // new labels are laid out
@@ -214,7 +208,7 @@ void LessonsWindowTest::showsWhatToLookForAndToTry() {
 }
 
 void LessonsWindowTest::theTextCanBePutAwayAndComesWithTheNextLesson() {
-  ShownWindow window;
+  LessonsWindow window;
   QVERIFY(window.showsText());
   QTest::keyClick(&window, Qt::Key_L);
   QVERIFY(!window.showsText());
@@ -230,17 +224,17 @@ void LessonsWindowTest::theTextCanBePutAwayAndComesWithTheNextLesson() {
 }
 
 void LessonsWindowTest::anOwnSceneHasNoText() {
-  ShownWindow window;
+  LessonsWindow window;
   window.editor()->replace(ownScene());
   QVERIFY(!window.showsText());
   window.files()->openBuiltIn("pile");
   QVERIFY(window.showsText());
-  ShownWindow own(ownScene());
+  LessonsWindow own(ownScene());
   QVERIFY(!own.showsText());
 }
 
 void LessonsWindowTest::aLessonThatIsChangedKeepsItsText() {
-  ShownWindow window;
+  LessonsWindow window;
   window.editor()->change([](core::Scene& draft) { draft.gravity = 1.62; });
   QVERIFY(window.showsText());
   QVERIFY(window.text().contains(titleOf("seven-weights")));
@@ -249,12 +243,12 @@ void LessonsWindowTest::aLessonThatIsChangedKeepsItsText() {
 
 void LessonsWindowTest::staysAwayAtTheNextStartFromTheSameLessonOnly() {
   {
-    ShownWindow window;
+    LessonsWindow window;
     QTest::keyClick(&window, Qt::Key_L);
     window.close();
   }
-  QVERIFY(!ShownWindow().showsText());
-  QVERIFY(ShownWindow(ui::builtInScene("pile")).showsText());
+  QVERIFY(!LessonsWindow().showsText());
+  QVERIFY(LessonsWindow(ui::builtInScene("pile")).showsText());
 }
 
 QTEST_MAIN(LessonsWindowTest)

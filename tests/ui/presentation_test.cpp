@@ -14,6 +14,8 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "tests/support/controlled_runs.h"
+#include "tests/support/shown_window.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/scene_editor.h"
@@ -31,12 +33,10 @@
 #include "ui/panels/timeline.h"
 #include "ui/view/scene_area.h"
 
+using tests::kProjector;
 using ui::Command;
-using ui::MainWindow;
 
 namespace {
-
-constexpr QSize kProjector(1280, 720);
 
 /// Tells a widget from others. The tabs of panels are made anew now and then: they are told
 /// apart by what they say.
@@ -49,14 +49,10 @@ QString nameOf(const QWidget* widget) {
       .arg(reinterpret_cast<quintptr>(widget));
 }
 
-class ShownWindow : public MainWindow {
+class LessonWindow : public tests::ShownWindow {
  public:
-  explicit ShownWindow(const char* lesson = "seven-weights")
-      : MainWindow(ui::builtInScene(lesson)) {
-    setWindowState(Qt::WindowNoState);
-    resize(kProjector);
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
+  explicit LessonWindow(const char* lesson = "seven-weights")
+      : ShownWindow(ui::builtInScene(lesson)) {
     QCoreApplication::processEvents();
   }
 
@@ -64,7 +60,7 @@ class ShownWindow : public MainWindow {
   QLabel* sentence() const { return findChild<ui::PresentationHeader*>()->sentence(); }
 
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(this, key, modifiers);
+    ShownWindow::press(key, modifiers);
     QCoreApplication::processEvents();
   }
 
@@ -128,7 +124,7 @@ void PresentationTest::init() {
 }
 
 void PresentationTest::showsTheSceneAndOneChartInLargeType() {
-  ShownWindow window;
+  LessonWindow window;
   const double usual = QApplication::font().pointSizeF();
   window.press(Qt::Key_F11);
   QVERIFY(window.isFullScreen());
@@ -154,28 +150,28 @@ void PresentationTest::showsTheSceneAndOneChartInLargeType() {
 }
 
 void PresentationTest::restoresTheLayoutExactly_data() {
-  using Prepare = std::function<void(ShownWindow&)>;
+  using Prepare = std::function<void(LessonWindow&)>;
   QTest::addColumn<Prepare>("prepare");
   const auto row = [](const char* name, const Prepare& prepare) { QTest::newRow(name) << prepare; };
-  row("as at the start", [](ShownWindow&) {});
-  row("other panels in front", [](ShownWindow& window) {
+  row("as at the start", [](LessonWindow&) {});
+  row("other panels in front", [](LessonWindow& window) {
     window.dock("weights")->raise();
     window.dock("events")->raise();
   });
-  row("no charts", [](ShownWindow& window) { window.dock("charts")->close(); });
-  row("floating charts", [](ShownWindow& window) {
+  row("no charts", [](LessonWindow& window) { window.dock("charts")->close(); });
+  row("floating charts", [](LessonWindow& window) {
     window.dock("charts")->setFloating(true);
     window.dock("charts")->setGeometry(20, 30, 700, 300);  // on the small screen of tests
   });
-  row("charts at the side", [](ShownWindow& window) {
+  row("charts at the side", [](LessonWindow& window) {
     window.addDockWidget(Qt::RightDockWidgetArea, window.dock("charts"));
   });
-  row("hidden lesson", [](ShownWindow& window) { window.press(Qt::Key_L); });
-  row("no panels", [](ShownWindow& window) {
+  row("hidden lesson", [](LessonWindow& window) { window.press(Qt::Key_L); });
+  row("no panels", [](LessonWindow& window) {
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) dock->close();
   });
-  row("split views", [](ShownWindow& window) { window.press(Qt::Key_V); });
-  row("other sizes", [](ShownWindow& window) {
+  row("split views", [](LessonWindow& window) { window.press(Qt::Key_V); });
+  row("other sizes", [](LessonWindow& window) {
     window.resize(1500, 900);
     window.resizeDocks({window.dock("charts")}, {300}, Qt::Vertical);
     window.resizeDocks({window.dock("runs")}, {500}, Qt::Horizontal);
@@ -183,8 +179,8 @@ void PresentationTest::restoresTheLayoutExactly_data() {
 }
 
 void PresentationTest::restoresTheLayoutExactly() {
-  QFETCH(std::function<void(ShownWindow&)>, prepare);
-  ShownWindow window;
+  QFETCH(std::function<void(LessonWindow&)>, prepare);
+  LessonWindow window;
   prepare(window);
   // What is laid out anew asks for more of it.
   for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
@@ -207,7 +203,7 @@ void PresentationTest::restoresTheLayoutExactly() {
 }
 
 void PresentationTest::putsTheChartWhereTheRoomIsLargest() {
-  ShownWindow window("counting-pi");
+  LessonWindow window("counting-pi");
   window.presentation()->setOn(true);
   // Offscreen the screen is square: what counts is the window.
   window.resize(1920, 1080);
@@ -217,7 +213,7 @@ void PresentationTest::putsTheChartWhereTheRoomIsLargest() {
 }
 
 void PresentationTest::controlsComeOnDemandAndGoAgain() {
-  ShownWindow window;
+  LessonWindow window;
   ui::PresentationBar* bar = window.presentation()->bar();
   QVERIFY(!bar->isVisible());
   window.press(Qt::Key_F11);
@@ -242,7 +238,7 @@ void PresentationTest::controlsComeOnDemandAndGoAgain() {
 }
 
 void PresentationTest::controlsWork() {
-  ShownWindow window;
+  LessonWindow window;
   window.press(Qt::Key_F11);
   QTest::mouseClick(window.barButton(Command::kPlay), Qt::LeftButton);
   QVERIFY(window.controller()->isPlaying());
@@ -257,8 +253,10 @@ void PresentationTest::controlsWork() {
 }
 
 void PresentationTest::escapeStopsTravellingFirst() {
-  ShownWindow window;
+  LessonWindow window;
   window.press(Qt::Key_F11);
+  // Each look at the clock takes a second: one step between two frames.
+  window.controller()->setStopwatch(tests::ticking(1));
   window.controller()->goTo(1000);
   QVERIFY(window.controller()->isTravelling());
   window.press(Qt::Key_Escape);
@@ -269,7 +267,7 @@ void PresentationTest::escapeStopsTravellingFirst() {
 }
 
 void PresentationTest::theSentenceIsOptional() {
-  ShownWindow window;
+  LessonWindow window;
   window.press(Qt::Key_F11);
   QVERIFY(window.sentence()->isVisible());
   QCOMPARE(window.sentence()->text(), ui::lessonNamed("seven-weights").look);
@@ -287,7 +285,7 @@ void PresentationTest::theSentenceIsOptional() {
 }
 
 void PresentationTest::anotherLessonIsPresentedAtOnce() {
-  ShownWindow window;
+  LessonWindow window;
   window.press(Qt::Key_F11);
   window.press(Qt::Key_L);
   window.files()->openBuiltIn("pile");
@@ -299,7 +297,7 @@ void PresentationTest::anotherLessonIsPresentedAtOnce() {
 }
 
 void PresentationTest::otherChartsComeByKey() {
-  ShownWindow window;
+  LessonWindow window;
   const auto* tabs = window.charts()->choosers()->findChild<QTabBar*>();
   window.press(Qt::Key_F11);
   const int before = tabs->currentIndex();
@@ -310,7 +308,7 @@ void PresentationTest::otherChartsComeByKey() {
 void PresentationTest::closingThenForgetsNoPanel() {
   QByteArray layout;
   {
-    ShownWindow window;
+    LessonWindow window;
     layout = window.saveState();
     window.press(Qt::Key_F11);
     window.close();
@@ -319,7 +317,7 @@ void PresentationTest::closingThenForgetsNoPanel() {
 }
 
 void PresentationTest::worksFromMenuAndButton() {
-  ShownWindow window;
+  LessonWindow window;
   window.commands().action(Command::kPresent)->trigger();
   QVERIFY(window.presentation()->isOn());
   window.commands().action(Command::kPresent)->trigger();

@@ -21,6 +21,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "tests/support/shown_window.h"
 #include "ui/chart/chart_look.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
@@ -37,27 +38,22 @@
 #include "ui/view/shown_scene.h"
 #include "ui/view/trails.h"
 
+using tests::kProjector;
 using ui::Command;
-using ui::MainWindow;
 
 namespace {
 
-constexpr QSize kProjector(1280, 720);
 constexpr double kSmallest = 12;  // pt
 
-class ShownWindow : public MainWindow {
+class ProjectedWindow : public tests::ShownWindow {
  public:
-  ShownWindow() : MainWindow(ui::builtInScene("seven-weights")) {
-    setWindowState(Qt::WindowNoState);
-    resize(kProjector);
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
+  ProjectedWindow() : ShownWindow(ui::builtInScene("seven-weights")) {
     controller()->stepOnce();
     QCoreApplication::processEvents();
   }
 
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(this, key, modifiers);
+    ShownWindow::press(key, modifiers);
     QCoreApplication::processEvents();
   }
 
@@ -165,7 +161,7 @@ void ProjectorTest::init() {
 }
 
 void ProjectorTest::nothingInTheWindowIsUnder12Points() {
-  ShownWindow window;
+  ProjectedWindow window;
   for (const char* panel : {"charts", "comparison", "step", "events", "weights", "scene"}) {
     window.findChild<QDockWidget*>(panel)->raise();
     QCoreApplication::processEvents();
@@ -174,7 +170,7 @@ void ProjectorTest::nothingInTheWindowIsUnder12Points() {
 }
 
 void ProjectorTest::nothingInADialogIsUnder12Points() {
-  ShownWindow window;
+  ProjectedWindow window;
   for (const Command command : {Command::kKeys, Command::kAbout, Command::kGoTo}) {
     QStringList small;
     WhenShown shown([&](QWidget* dialog) { small = smallTypeIn(dialog); });
@@ -190,7 +186,7 @@ void ProjectorTest::nothingInADialogIsUnder12Points() {
 }
 
 void ProjectorTest::nothingInTheSceneIsUnder12Points() {
-  ShownWindow window;
+  ProjectedWindow window;
   ui::ShownScene shown = ui::shownScene(window.controller()->runs());
   ui::SceneLook look{ui::Theme::light(), ui::readableFont(window.font())};
   ui::Camera camera;
@@ -205,7 +201,7 @@ void ProjectorTest::nothingInTheSceneIsUnder12Points() {
 void ProjectorTest::textSizeIsChosenLiveAndRemembered() {
   double large = 0;
   {
-    ShownWindow window;
+    ProjectedWindow window;
     const QImage usual = window.findChild<ui::SceneView*>()->grab().toImage();
     window.choose("Very large");
     large = QApplication::font().pointSizeF();
@@ -216,13 +212,13 @@ void ProjectorTest::textSizeIsChosenLiveAndRemembered() {
     QCOMPARE(scene->font().pointSizeF(), large);
     window.close();
   }
-  ShownWindow again;
+  ProjectedWindow again;
   QCOMPARE(QApplication::font().pointSizeF(), large);
   QCOMPARE(smallTypeIn(&again, large).join('\n'), QString());
 }
 
 void ProjectorTest::textCanShrinkAgain() {
-  ShownWindow window;
+  ProjectedWindow window;
   for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
   const QSize least = window.minimumSizeHint();
   window.choose("Very large");
@@ -233,14 +229,14 @@ void ProjectorTest::textCanShrinkAgain() {
 }
 
 void ProjectorTest::everyCommandHasAKeyOrLetters() {
-  const ShownWindow window;
+  const ProjectedWindow window;
   for (const QAction* action : window.commands().all())
     QVERIFY2(!action->shortcut().isEmpty() || !mnemonicPath(action).isEmpty(),
              qPrintable(action->text()));
 }
 
 void ProjectorTest::noTwoCommandsShareAKey() {
-  const ShownWindow window;
+  const ProjectedWindow window;
   QHash<QString, QString> owners;
   for (const QAction* action : window.commands().all()) {
     if (!action->isEnabled()) continue;  // Esc serves what is under way
@@ -253,7 +249,7 @@ void ProjectorTest::noTwoCommandsShareAKey() {
 }
 
 void ProjectorTest::everyControlIsReachedByTab() {
-  ShownWindow window;
+  ProjectedWindow window;
   QSet<const QWidget*> reached;
   QWidget* first = nullptr;
   for (int i = 0; i < 400; ++i) {
@@ -290,7 +286,7 @@ void ProjectorTest::everyControlIsReachedByTab() {
 }
 
 void ProjectorTest::allKeysFitOnAProjector() {
-  const ShownWindow window;
+  const ProjectedWindow window;
   constexpr int kForTitleAndButton = 110;  // px, with margins
   const ui::KeysPage page(window.commands(), static_cast<int>(kProjector.height() * 0.84));
   const QSize needed = page.sizeHint() + QSize(40, kForTitleAndButton);
@@ -299,7 +295,7 @@ void ProjectorTest::allKeysFitOnAProjector() {
 }
 
 void ProjectorTest::theKeysPageNamesEveryKey() {
-  const ShownWindow window;
+  const ProjectedWindow window;
   const ui::KeysPage page(window.commands(), 500);
   QStringList words;
   for (const QLabel* label : page.findChildren<QLabel*>()) words << label->text().split(", ");

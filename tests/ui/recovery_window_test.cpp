@@ -94,6 +94,8 @@ class RecoveryWindowTest : public QObject {
   void discardsWhatIsNotWanted();
   void offersSeveralOneAfterTheOther();
   void leavesTheDraftsOfRunningWindowsAlone();
+  void offersDraftsWhoseLockTellsNothing_data();
+  void offersDraftsWhoseLockTellsNothing();
   void bringsBackADraftThatCannotRun_data();
   void bringsBackADraftThatCannotRun();
   void bringsBackTheFileAndMayBeUndone();
@@ -268,6 +270,25 @@ void RecoveryWindowTest::leavesTheDraftsOfRunningWindowsAlone() {
   keepNow(window);
   QCOMPARE(drafts().size(), 2);
   QCOMPARE(ui::readDraftFile(other.findChild<DraftKeeper*>()->file())->scene.gravity, 1.5);
+}
+
+void RecoveryWindowTest::offersDraftsWhoseLockTellsNothing_data() {
+  QTest::addColumn<QByteArray>("lock");
+  QTest::newRow("killed before it could say who it is") << QByteArray();
+  QTest::newRow("this computer had another name")
+      << QByteArray("1\nangrycuts\nelsewhere\nid\nid\n");
+}
+
+void RecoveryWindowTest::offersDraftsWhoseLockTellsNothing() {
+  QFETCH(QByteArray, lock);
+  leaveDraft(1.5);
+  QFile file(DraftKeeper::lockOf(QDir(folder()).filePath(drafts().first())));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(lock);
+  file.close();
+  MainWindow window(threeWeights());
+  window.keepDraftsIn(folder());
+  QVERIFY(isOffered(window));
 }
 
 void RecoveryWindowTest::bringsBackADraftThatCannotRun_data() {

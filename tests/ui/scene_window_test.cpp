@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "core/scene/angle.h"
+#include "tests/support/shown_window.h"
 #include "tests/support/window_hand.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
@@ -45,24 +46,16 @@ core::Scene threeKinds() {
 }
 
 /// A window in front with that scene, and a hand in it.
-class Window : public ui::MainWindow {
+class Window : public tests::ShownWindow {
  public:
-  explicit Window(const core::Scene& scene = threeKinds()) : MainWindow(scene), hand(*this) {
-    controller()->setStopwatch([] { return 0.0; });
-    setWindowState(Qt::WindowNoState);
-    resize(1400, 1000);
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
-  }
+  explicit Window(const core::Scene& scene = threeKinds())
+      : ShownWindow(scene, {1400, 1000}), hand(*this) {}
   ~Window() override { editor()->setSaved(); }
 
   const core::Weight& weight(int index) const { return editor()->scene()->weights[index]; }
   const core::Weight& drafted(int index) const { return editor()->draft().weights[index]; }
   const core::Rope& rope() const { return *weight(kHanging).rope; }
   Vector2d start(int index) const { return core::startPosition(weight(index)); }
-  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(this, key, modifiers);
-  }
   /// Where the velocity of the selected weight is taken hold of.
   QPoint grip() const {
     const ui::ShownScene& shown = hand.view()->shown();

@@ -27,6 +27,8 @@
 #include <QTimer>
 
 #include "tests/support/fingerprint.h"
+#include "tests/support/impacts.h"
+#include "tests/support/shown_window.h"
 #include "tests/support/window_hand.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/scene_editor.h"
@@ -41,7 +43,7 @@
 #include "ui/panels/timeline.h"
 
 using core::EventKind;
-using ui::MainWindow;
+using tests::isImpact;
 
 namespace {
 
@@ -49,10 +51,6 @@ const char* const kLesson = "two-weights";
 constexpr double kFrame = 1.0 / 60;    // s
 constexpr int kFramesUntilCut = 24;    // 0.4 s: the lesson itself cuts at 0.6 s
 constexpr QSize kChartSize(254, 143);  // mm: for a slide
-
-bool isImpact(const core::Event& event) {
-  return event.kind >= EventKind::kImpactFloor && event.kind <= EventKind::kImpactWeight;
-}
 
 /// What the runs show, to the last bit.
 std::vector<double> momentOf(const ui::RunController& controller) {
@@ -70,22 +68,11 @@ std::vector<double> momentOf(const ui::RunController& controller) {
 }
 
 /// The window as it opens, in front, with a clock that the test moves.
-class Window : public MainWindow {
+class Window : public tests::ShownWindow {
  public:
-  Window() : MainWindow(ui::builtInScene("seven-weights")) {
-    setWindowState(Qt::WindowNoState);
-    resize(1280, 720);
-    controller()->setStopwatch([] { return 0.0; });
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
-    settle();
-  }
+  Window() : ShownWindow(ui::builtInScene("seven-weights")) { settle(); }
 
-  double time() const { return controller()->time(); }
   std::vector<double> moment() const { return momentOf(*controller()); }
-  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(this, key, modifiers);
-  }
   /// In front again after a dialog, without a window manager.
   void comeBack() {
     activateWindow();
@@ -103,11 +90,7 @@ class Window : public MainWindow {
 
   /// Of the first run, each moment once.
   std::vector<double> impactTimes() const {
-    std::vector<double> times;
-    for (const core::Event& event : controller()->recording(0).eventLog().events())
-      if (isImpact(event) && (times.empty() || event.time > times.back()))
-        times.push_back(event.time);
-    return times;
+    return tests::timesOf(controller()->recording(0), isImpact);
   }
 
   bool says(const QString& words) const {

@@ -8,6 +8,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/file_content.h"
+#include "tests/support/shown_window.h"
+#include "tests/support/window_hand.h"
 #include "ui/control/commands.h"
 #include "ui/control/exports.h"
 #include "ui/control/run_controller.h"
@@ -21,8 +24,8 @@
 #include "ui/view/scene_area.h"
 #include "ui/view/target_drawing.h"
 
+using tests::contentOf;
 using ui::Command;
-using ui::MainWindow;
 
 namespace {
 
@@ -44,37 +47,20 @@ double landingTime() {
   return 0.5 + std::sqrt(2 * 1.48 / 9.81);
 }
 
-class Window : public MainWindow {
+class Window : public tests::ShownWindow {
  public:
-  Window() : MainWindow(twoThatFall()) {
-    controller()->setStopwatch([] { return 0.0; });
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
-  }
+  Window() : ShownWindow(twoThatFall()), hand(*this) {}
 
   ui::SceneArea* area() const { return findChild<ui::SceneArea*>(); }
-  ui::SceneView* view() const { return area()->views().front(); }
+  ui::SceneView* view() const { return hand.view(); }
   ui::SceneTarget* aim() const { return target()->target(); }
   QPoint pixelOf(double x) const {
     const auto stripe = ui::targetStripe({x, 0.1}, view()->room(), view()->camera());
     return stripe.center().toPoint();
   }
-  void drag(QPoint from, QPoint to) const {
-    QTest::mousePress(view(), Qt::LeftButton, {}, from);
-    // What QTest::mouseMove() sends has no button pressed.
-    QMouseEvent move(QEvent::MouseMove, to, view()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                     {});
-    QCoreApplication::sendEvent(view(), &move);
-    QTest::mouseRelease(view(), Qt::LeftButton, {}, to);
-  }
-  /// One pixel in metres.
-  double pixel() const { return 1 / view()->camera().scale(); }
-};
 
-QByteArray contentOf(const QString& name) {
-  QFile file(name);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
+  tests::WindowHand hand;
+};
 
 }  // namespace
 
@@ -109,20 +95,20 @@ void TargetWindowTest::initTestCase() {
 void TargetWindowTest::aKeyShowsAndHidesIt() {
   Window window;
   QVERIFY(!window.view()->target());
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   QVERIFY(window.view()->target());
   QVERIFY(window.commands().action(Command::kTarget)->isChecked());
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   QVERIFY(!window.view()->target());
 }
 
 void TargetWindowTest::theMouseDragsItAlongTheFloor() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   const ui::Camera before = window.view()->camera();
-  window.drag(window.pixelOf(window.aim()->place().center), window.pixelOf(1));
+  window.hand.drag(window.pixelOf(window.aim()->place().center), window.pixelOf(1));
   // To a pixel, and as many digits as that means.
-  QVERIFY(std::abs(window.aim()->place().center - 1) <= 2 * window.pixel());
+  QVERIFY(std::abs(window.aim()->place().center - 1) <= 2 * window.hand.grain());
   QCOMPARE(window.view()->target()->place, window.aim()->place());
   QCOMPARE(window.aim()->place().width, 0.3);
   QVERIFY(window.view()->camera() == before);
@@ -130,39 +116,39 @@ void TargetWindowTest::theMouseDragsItAlongTheFloor() {
 
 void TargetWindowTest::draggingAnEndChangesItsWidth() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   window.aim()->setPlace({1.5, 0.6});
-  window.drag(window.pixelOf(1.8), window.pixelOf(2));
-  QVERIFY(std::abs(window.aim()->place().width - 1) <= 4 * window.pixel());
+  window.hand.drag(window.pixelOf(1.8), window.pixelOf(2));
+  QVERIFY(std::abs(window.aim()->place().width - 1) <= 4 * window.hand.grain());
   QCOMPARE(window.aim()->place().center, 1.5);
-  window.drag(window.pixelOf(1), window.pixelOf(1.4));
-  QVERIFY(std::abs(window.aim()->place().width - 0.2) <= 6 * window.pixel());
+  window.hand.drag(window.pixelOf(1), window.pixelOf(1.4));
+  QVERIFY(std::abs(window.aim()->place().width - 0.2) <= 6 * window.hand.grain());
 }
 
 void TargetWindowTest::besideItTheMouseMovesTheView() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   window.view()->zoomIn();
   const core::Target place = window.aim()->place();
   const ui::Camera before = window.view()->camera();
   const QPoint middle = window.view()->rect().center();
-  window.drag(middle, middle + QPoint(40, 30));
+  window.hand.drag(middle, middle + QPoint(40, 30));
   QCOMPARE(window.aim()->place(), place);
   QVERIFY(!(window.view()->camera() == before));
 }
 
 void TargetWindowTest::staysInTheRoom() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
-  window.drag(window.pixelOf(window.aim()->place().center), window.pixelOf(20));
+  window.press(Qt::Key_G);
+  window.hand.drag(window.pixelOf(window.aim()->place().center), window.pixelOf(20));
   QCOMPARE(window.aim()->place().center, 3.0);
-  window.drag(window.pixelOf(2.97), window.pixelOf(-20));
+  window.hand.drag(window.pixelOf(2.97), window.pixelOf(-20));
   QCOMPARE(window.aim()->place().center, 0.0);
 }
 
 void TargetWindowTest::saysWhenTheWeightHitIt() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   window.aim()->setPlace({1.1, 0.3});
   window.controller()->goTo(landingTime() - 0.1);
   QVERIFY(!window.view()->target()->landings[0]);
@@ -178,7 +164,7 @@ void TargetWindowTest::saysWhenTheWeightHitIt() {
 
 void TargetWindowTest::followsTheSelectedWeight() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   window.controller()->goTo(2);
   window.selection()->select(1);
   QCOMPARE(window.aim()->weight(), 1);
@@ -189,10 +175,10 @@ void TargetWindowTest::followsTheSelectedWeight() {
 
 void TargetWindowTest::goingBackTakesTheLandingBack() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   window.controller()->goTo(2);
   QVERIFY(window.view()->target()->landings[0]);
-  QTest::keyClick(&window, Qt::Key_Home);
+  window.press(Qt::Key_Home);
   QVERIFY(!window.view()->target()->landings[0]);
   window.controller()->reset();
   QCOMPARE(window.view()->target()->landings.size(), std::size_t{2});
@@ -200,7 +186,7 @@ void TargetWindowTest::goingBackTakesTheLandingBack() {
 
 void TargetWindowTest::countsOnlyLandingsAfterTheCut() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   window.editor()->change([](core::Scene& scene) {
     scene.cutTime = 1;
     scene.weights[0].rope.reset();  // falls at once, and is on the floor long before the cut
@@ -215,10 +201,10 @@ void TargetWindowTest::countsOnlyLandingsAfterTheCut() {
 
 void TargetWindowTest::eachSplitViewShowsItsOwnRun() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   window.controller()->goTo(2);
   const auto both = window.view()->target()->landings;
-  QTest::keyClick(&window, Qt::Key_V);
+  window.press(Qt::Key_V);
   const auto& views = window.area()->views();
   QCOMPARE(views.size(), std::size_t{2});
   for (std::size_t i = 0; i < 2; ++i) {
@@ -229,7 +215,7 @@ void TargetWindowTest::eachSplitViewShowsItsOwnRun() {
 
 void TargetWindowTest::isFoundInAnotherScenesRoom() {
   Window window;
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   window.aim()->setPlace({2.9, 0.1});
   window.selection()->select(1);
   window.editor()->change([](core::Scene& scene) {
@@ -256,7 +242,7 @@ void TargetWindowTest::isInExportedPictures() {
   window.controller()->goTo(2);
   window.exports()->savePicture(file);
   QVERIFY(!contentOf(file).contains(words));
-  QTest::keyClick(&window, Qt::Key_G);
+  window.press(Qt::Key_G);
   window.aim()->setPlace({center, 0.3});
   window.exports()->savePicture(file);
   QVERIFY(contentOf(file).contains(words));

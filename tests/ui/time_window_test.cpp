@@ -3,87 +3,45 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QClipboard>
-#include <QComboBox>
-#include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QSpinBox>
 #include <QStatusBar>
-#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 
-#include "core/scene/arrangement.h"
+#include "tests/support/controlled_runs.h"
 #include "tests/support/fingerprint.h"
+#include "tests/support/impacts.h"
+#include "tests/support/shown_window.h"
+#include "tests/support/swinging_scene.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
 #include "ui/main_window.h"
-#include "ui/panels/events_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/panels/travel_bar.h"
 
 using core::EventKind;
+using tests::isImpact;
 using ui::Command;
 using ui::MainWindow;
 
 namespace {
 
 /// Three weights that swing, are cut at 1.5 s, fall and bounce.
-core::Scene cutScene() {
-  core::Scene scene = core::withWeightCount(core::Scene(), 3);
-  for (core::Weight& weight : scene.weights) weight.rope->angle = 0.3;
+core::Scene cutSwings() {
+  core::Scene scene = tests::swingingScene(3, 0.3);
   scene.cutTime = 1.5;
-  scene.solvers = {{.method = "rk4"}, {.method = "euler"}};
   return scene;
 }
 
-bool isImpact(const core::Event& event) {
-  return event.kind >= EventKind::kImpactFloor && event.kind <= EventKind::kImpactWeight;
-}
-
-/// Times of the first run's events that are wanted, each moment once.
-template <class Wanted>
-std::vector<double> timesOf(const MainWindow& window, const Wanted& wanted) {
-  std::vector<double> times;
-  for (const core::Event& event : window.controller()->recording(0).eventLog().events()) {
-    if (wanted(event) && (times.empty() || event.time > times.back())) times.push_back(event.time);
-  }
-  return times;
-}
-
-/// A window in front, whose work takes no time.
-class Window : public MainWindow {
+class Window : public tests::ShownWindow {
  public:
-  Window() : MainWindow(cutScene()) {
-    controller()->setStopwatch([] { return 0.0; });
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
-  }
-
-  double time() const { return controller()->time(); }
-  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(this, key, modifiers);
-  }
-  void showEvents() {
-    findChild<QDockWidget*>("events")->raise();
-    QApplication::processEvents();
-  }
-  QTableView* list() const { return findChild<ui::EventsPanel*>()->findChild<QTableView*>(); }
-  QString text(int row, int column) const {
-    return list()->model()->index(row, column).data().toString();
-  }
-  void clickRow(int row) const {
-    const QModelIndex index = list()->model()->index(row, 0);
-    list()->scrollTo(index);
-    QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(index).center());
-  }
+  Window() : ShownWindow(cutSwings()) {}
 };
 
 }  // namespace
@@ -105,13 +63,6 @@ class TimeWindowTest : public QObject {
   void offersOnlyWhatCanBeDone();
   void scrubsOnTheTimeline();
   void slowMotionShowsMomentsInsideSteps();
-  void listFollowsTheMomentShown();
-  void clickOnAnEventShowsItsMoment();
-  void arrowKeysInTheListGoFromEventToEvent();
-  void listHasRoomForItsHeadings();
-  void listsOneWeightOrKind();
-  void listsTheEventsOfTheChosenRun();
-  void copiesEventsAsCsv();
   void longComputingShowsProgressAndStops_data();
   void longComputingShowsProgressAndStops();
   void everyKeyMeansOneThing();
@@ -168,9 +119,10 @@ void TimeWindowTest::goesFromEventToEventByKey() {
   QFETCH(int, kind);
   Window window;
   window.controller()->goTo(3);
-  const std::vector<double> times = timesOf(window, [kind](const core::Event& event) {
-    return kind == -1 || (kind == -2 ? isImpact(event) : static_cast<int>(event.kind) == kind);
-  });
+  const std::vector<double> times =
+      tests::timesOf(window.controller()->recording(0), [kind](const core::Event& event) {
+        return kind == -1 || (kind == -2 ? isImpact(event) : static_cast<int>(event.kind) == kind);
+      });
   QVERIFY(!times.empty());
   window.press(Qt::Key_Home);
   for (const double time : times) {
@@ -187,7 +139,7 @@ void TimeWindowTest::goesFromEventToEventByKey() {
 void TimeWindowTest::computesOnToTheFirstImpact() {
   Window window;
   window.press(Qt::Key_I);
-  const std::vector<double> impacts = timesOf(window, isImpact);
+  const std::vector<double> impacts = tests::timesOf(window.controller()->recording(0), isImpact);
   QCOMPARE(window.time(), impacts.front());
   QVERIFY(window.time() > 1.5);
 }
@@ -213,7 +165,7 @@ void TimeWindowTest::goesToStartAndEndByKey() {
 
 void TimeWindowTest::playsTheRecordAgainAndGoesOn() {
   ui::RunController straight([] { return 0.0; });
-  straight.setScene(std::make_shared<core::Scene>(cutScene()));
+  straight.setScene(std::make_shared<core::Scene>(cutSwings()));
   straight.goTo(2);
   Window window;
   window.controller()->goTo(1.5);
@@ -309,124 +261,6 @@ void TimeWindowTest::slowMotionShowsMomentsInsideSteps() {
   }
 }
 
-void TimeWindowTest::listFollowsTheMomentShown() {
-  Window window;
-  window.controller()->goTo(3);
-  window.showEvents();
-  const auto events = window.controller()->recording(0).eventLog().events();
-  QCOMPARE(window.list()->model()->rowCount(), static_cast<int>(events.size()));
-  for (const double time : {1.1, 0.2, 1.9}) {
-    window.controller()->showTime(time);
-    const auto later = std::ranges::upper_bound(events, time, {}, &core::Event::time);
-    const int row = static_cast<int>(later - events.begin()) - 1;
-    QCOMPARE(window.list()->currentIndex().row(), row);
-    if (row >= 0)
-      QVERIFY(window.list()->viewport()->rect().intersects(
-          window.list()->visualRect(window.list()->currentIndex())));
-    // Following does not lead away from the moment.
-    QCOMPARE(window.time(), time);
-  }
-}
-
-void TimeWindowTest::clickOnAnEventShowsItsMoment() {
-  Window window;
-  window.controller()->goTo(3);
-  window.showEvents();
-  window.controller()->play();
-  const auto events = window.controller()->recording(0).eventLog().events();
-  for (const int row : {static_cast<int>(events.size()) - 1, 0}) {
-    window.clickRow(row);
-    QCOMPARE(window.time(), events[row].time);
-    QCOMPARE(window.list()->currentIndex().row(), row);
-    QVERIFY(!window.controller()->isPlaying());
-  }
-}
-
-void TimeWindowTest::arrowKeysInTheListGoFromEventToEvent() {
-  Window window;
-  window.controller()->goTo(3);
-  window.showEvents();
-  window.clickRow(0);
-  const auto events = window.controller()->recording(0).eventLog().events();
-  for (int row = 1; row < 4; ++row) {
-    QTest::keyClick(window.list(), Qt::Key_Down);
-    QCOMPARE(window.time(), events[row].time);
-    QCOMPARE(window.list()->currentIndex().row(), row);
-  }
-}
-
-void TimeWindowTest::listHasRoomForItsHeadings() {
-  Window window;
-  window.showEvents();
-  const QHeaderView* columns = window.list()->horizontalHeader();
-  QVERIFY(columns->font().pointSizeF() >= 12);
-  for (int column = 0; column < columns->count(); ++column)
-    QVERIFY2(columns->sectionSize(column) >= columns->sectionSizeHint(column),
-             qPrintable(QStringLiteral("%1: %2 < %3")
-                            .arg(column)
-                            .arg(columns->sectionSize(column))
-                            .arg(columns->sectionSizeHint(column))));
-}
-
-void TimeWindowTest::listsOneWeightOrKind() {
-  Window window;
-  window.controller()->goTo(3);
-  window.showEvents();
-  auto* weight = window.findChild<QSpinBox*>("eventWeight");
-  QCOMPARE(weight->maximum(), 3);
-  weight->setFocus();
-  weight->selectAll();
-  QTest::keyClicks(weight, "2");
-  QTest::keyClick(weight, Qt::Key_Return);
-  const int count = window.list()->model()->rowCount();
-  const auto all = window.controller()->recording(0).eventLog().events().size();
-  QVERIFY(count > 0 && count < static_cast<int>(all));
-  for (int row = 0; row < count; ++row) {
-    const QString who = window.text(row, 2);
-    QVERIFY2(who.contains('2') || who == "all", qPrintable(who));
-  }
-  window.findChild<ui::EventsPanel*>()->setWeight(-1);
-  auto* kinds = window.findChild<QComboBox*>("eventKinds");
-  kinds->setFocus();
-  QTest::keyClicks(kinds, "Cuts");
-  QCOMPARE(window.list()->model()->rowCount(), 1);
-  QCOMPARE(window.text(0, 1), QString("Cut"));
-}
-
-void TimeWindowTest::listsTheEventsOfTheChosenRun() {
-  Window window;
-  window.controller()->goTo(3);
-  window.showEvents();
-  auto* runs = window.findChild<QComboBox*>("eventRun");
-  runs->setFocus();
-  QTest::keyClick(runs, Qt::Key_Down);
-  const auto events = window.controller()->recording(1).eventLog().events();
-  QCOMPARE(window.list()->model()->rowCount(), static_cast<int>(events.size()));
-  // And the keys go by it.
-  window.controller()->showTime(1.6);
-  window.press(Qt::Key_I);
-  const auto next = std::ranges::find_if(
-      events, [](const core::Event& event) { return event.time > 1.6 && isImpact(event); });
-  QCOMPARE(window.time(), next->time);
-}
-
-void TimeWindowTest::copiesEventsAsCsv() {
-  Window window;
-  window.controller()->goTo(3);
-  window.showEvents();
-  window.clickRow(0);
-  QTest::keyClick(window.list(), Qt::Key_Down, Qt::ShiftModifier);
-  QTest::keyClick(window.list(), Qt::Key_C, Qt::ControlModifier);
-  QStringList lines = QApplication::clipboard()->text().split("\r\n");
-  QCOMPARE(lines.size(), 4);  // header, two events, end
-  QVERIFY(lines[0].startsWith("time,event,weight"));
-  // Not the ropes: C alone cuts them.
-  window.clickRow(0);
-  QTest::keyClick(window.list(), Qt::Key_C, Qt::ControlModifier);
-  lines = QApplication::clipboard()->text().split("\r\n");
-  QCOMPARE(lines.size(), window.list()->model()->rowCount() + 2);
-}
-
 void TimeWindowTest::longComputingShowsProgressAndStops_data() {
   QTest::addColumn<bool>("byKey");
   QTest::newRow("Escape") << true;
@@ -438,7 +272,7 @@ void TimeWindowTest::longComputingShowsProgressAndStops() {
   Window window;
   auto* bar = window.findChild<ui::TravelBar*>();
   // Each look at the clock takes a second: one step of one run between two frames.
-  window.controller()->setStopwatch([now = 0.0]() mutable { return now += 1; });
+  window.controller()->setStopwatch(tests::ticking(1));
   window.controller()->goTo(100);
   QVERIFY(!bar->isVisible());
   QTRY_VERIFY(bar->isVisible());

@@ -10,6 +10,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "tests/support/controlled_runs.h"
+#include "tests/support/shown_window.h"
 #include "tests/support/window_hand.h"
 #include "ui/control/commands.h"
 #include "ui/control/exports.h"
@@ -46,19 +48,10 @@ core::Scene twoWeights() {
   return scene;
 }
 
-class Window : public ui::MainWindow {
+class Window : public tests::ShownWindow {
  public:
-  Window() : MainWindow(twoWeights()), hand(*this) {
-    controller()->setStopwatch([] { return 0.0; });
-    setWindowState(Qt::WindowNoState);
-    resize(1400, 1000);
-    show();
-    if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
-  }
+  Window() : ShownWindow(twoWeights(), {1400, 1000}), hand(*this) {}
 
-  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(this, key, modifiers);
-  }
   const ui::MeasuringTools& tools() const { return hand.view()->shown().marks.tools; }
   ui::Drawing drawing() const {
     const ui::SceneView* view = hand.view();
@@ -309,7 +302,7 @@ void ToolsWindowTest::escapeLeavesOneThingAfterTheOther() {
   window.press(Qt::Key_D);
   window.press(Qt::Key_H);
   // Each look at the clock takes a second: one step between two frames.
-  window.controller()->setStopwatch([now = 0.0]() mutable { return now += 1; });
+  window.controller()->setStopwatch(tests::ticking(1));
   window.controller()->goTo(100);
   QVERIFY(window.controller()->isTravelling());
   window.press(Qt::Key_Escape);

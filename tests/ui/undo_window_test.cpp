@@ -11,6 +11,8 @@
 #include <QToolButton>
 
 #include "core/scene/arrangement.h"
+#include "tests/support/fields.h"
+#include "tests/support/shown_window.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/scene_editor.h"
@@ -20,6 +22,9 @@
 #include "ui/panels/runs_form.h"
 #include "ui/panels/weights_form.h"
 
+using tests::enter;
+using tests::fieldNamed;
+using tests::showInFront;
 using ui::Command;
 using ui::MainWindow;
 
@@ -30,25 +35,6 @@ core::Scene threeWeights() {
   scene.name = "Three & more";
   scene.solvers = {{.method = "rk4"}, {.method = "euler"}};
   return scene;
-}
-
-void showAndActivate(MainWindow& window) {
-  window.show();
-  QVERIFY(QTest::qWaitForWindowActive(&window));
-}
-
-ui::QuantityField* fieldNamed(const QWidget& window, const QString& name) {
-  for (ui::QuantityField* field : window.findChildren<ui::QuantityField*>()) {
-    if (field->spinBox()->accessibleName() == name) return field;
-  }
-  qFatal("no field named %s", qPrintable(name));
-}
-
-void enter(ui::QuantityField* field, const QString& text) {
-  field->spinBox()->setFocus();
-  field->spinBox()->selectAll();
-  QTest::keyClicks(field->spinBox(), text);
-  QTest::keyClick(field->spinBox(), Qt::Key_Return);
 }
 
 /// Types where the keyboard's focus is, as a person does.
@@ -92,7 +78,7 @@ void UndoWindowTest::initTestCase() {
 
 void UndoWindowTest::offersToUndoByItsWords() {
   MainWindow window(threeWeights());
-  showAndActivate(window);
+  showInFront(window);
   const QAction* undoAction = window.commands().action(Command::kUndo);
   const QAction* redoAction = window.commands().action(Command::kRedo);
   QVERIFY(!undoAction->isEnabled());
@@ -110,7 +96,7 @@ void UndoWindowTest::offersToUndoByItsWords() {
 
 void UndoWindowTest::undoesFieldsByKey() {
   MainWindow window(threeWeights());
-  showAndActivate(window);
+  showInFront(window);
   const core::Scene before = *window.editor()->scene();
   for (const char* name : {"Gravity", "Air density", "Width", "Restitution of walls",
                            "Friction of walls", "Start angle", "Mass", "Radius"})
@@ -127,7 +113,7 @@ void UndoWindowTest::undoesFieldsByKey() {
 
 void UndoWindowTest::oneGoOfAnArrowIsOneStep() {
   MainWindow window(threeWeights());
-  showAndActivate(window);
+  showInFront(window);
   ui::QuantitySpinBox* gravity = fieldNamed(window, "Gravity")->spinBox();
   gravity->setFocus();
   for (int i = 0; i < 5; ++i) QTest::keyClick(gravity, Qt::Key_Up);
@@ -147,7 +133,7 @@ void UndoWindowTest::oneGoOfAnArrowIsOneStep() {
 
 void UndoWindowTest::undoesATypedTextBeforeTheScene() {
   MainWindow window(threeWeights());
-  showAndActivate(window);
+  showInFront(window);
   enter(fieldNamed(window, "Gravity"), "5");
   ui::QuantitySpinBox* width = fieldNamed(window, "Width")->spinBox();
   width->setFocus();
@@ -162,7 +148,7 @@ void UndoWindowTest::undoesATypedTextBeforeTheScene() {
 
 void UndoWindowTest::aFieldThatOnlyChoosesLeavesUndoToTheWindow() {
   MainWindow window(threeWeights());
-  showAndActivate(window);
+  showInFront(window);
   enter(fieldNamed(window, "Gravity"), "5");
   window.findChild<QDockWidget*>("weights")->raise();
   auto* chooser = window.findChild<ui::WeightsForm*>()->findChild<QSpinBox*>();
@@ -176,7 +162,7 @@ void UndoWindowTest::aFieldThatOnlyChoosesLeavesUndoToTheWindow() {
 
 void UndoWindowTest::undoesChangesOfRunsAndOfTheCut() {
   MainWindow window(threeWeights());
-  showAndActivate(window);
+  showInFront(window);
   const core::Scene before = *window.editor()->scene();
   const auto* runs = window.findChild<ui::RunsForm*>();
   runs->findChildren<QCheckBox*>().at(1)->click();
@@ -194,7 +180,7 @@ void UndoWindowTest::undoesChangesOfRunsAndOfTheCut() {
 
 void UndoWindowTest::undoesADraftThatCannotRun() {
   MainWindow window(threeWeights());
-  showAndActivate(window);
+  showInFront(window);
   enter(fieldNamed(window, "Width"), "0.5");
   QVERIFY(fieldNamed(window, "Width")->isMarked());
   undo(window);
@@ -206,7 +192,7 @@ void UndoWindowTest::undoesADraftThatCannotRun() {
 
 void UndoWindowTest::undoesToWhatIsSaved() {
   MainWindow window(threeWeights());
-  showAndActivate(window);
+  showInFront(window);
   enter(fieldNamed(window, "Gravity"), "5");
   QVERIFY(window.files()->saveTo(m_folder.filePath("saved.json")));
   enter(fieldNamed(window, "Gravity"), "6");
@@ -221,7 +207,7 @@ void UndoWindowTest::undoesToWhatIsSaved() {
 void UndoWindowTest::undoesAStartOfANewScene() {
   const QString file = m_folder.filePath("three.json");
   MainWindow window(threeWeights(), file);
-  showAndActivate(window);
+  showInFront(window);
   press(window, Qt::Key_N, Qt::ControlModifier);
   QCOMPARE(window.controller()->scene().weights.size(), std::size_t{1});
   QVERIFY(window.windowTitle().startsWith("New scene"));

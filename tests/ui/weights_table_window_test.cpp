@@ -19,6 +19,7 @@
 
 #include "core/scene/arrangement.h"
 #include "core/scene/scene_limits.h"
+#include "tests/support/shown_window.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/scene_editor.h"
@@ -47,8 +48,7 @@ core::Scene fiveWeights() {
 class TableWindow {
  public:
   explicit TableWindow(const core::Scene& scene) : window(scene) {
-    window.show();
-    [&] { QVERIFY(QTest::qWaitForWindowActive(&window)); }();
+    tests::showInFront(window);
     QTest::keyClick(&window, Qt::Key_T, Qt::ControlModifier);
     table = window.findChild<ui::WeightsTable*>();
     view = table->view();

@@ -12,11 +12,11 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 #include <QXYSeries>
 
 #include "ui/chart/chart_look.h"
+#include "ui/files/output_file.h"
 
 namespace ui {
 
@@ -106,13 +106,6 @@ void layOut(QChart& chart, QSizeF size) {
   paintCurvesWhole(chart);
 }
 
-QString writeWhole(const QString& file, const QByteArray& bytes) {
-  QSaveFile target(file);
-  const bool written =
-      target.open(QIODevice::WriteOnly) && target.write(bytes) == bytes.size() && target.commit();
-  return written ? QString() : Words::tr("Cannot write %1: %2").arg(file, target.errorString());
-}
-
 }  // namespace
 
 QString writeChart(QChart& chart, const QString& file, const QString& title, QSizeF size) {
@@ -121,9 +114,7 @@ QString writeChart(QChart& chart, const QString& file, const QString& title, QSi
                        : ending == "svg" ? svg
                        : ending == "pdf" ? pdf
                                          : nullptr;
-  if (encoded == nullptr) {
-    return Words::tr("Cannot write %1: a chart's file ends in .png, .svg or .pdf").arg(file);
-  }
+  if (encoded == nullptr) return Words::tr("a chart's file ends in .png, .svg or .pdf");
   layOut(chart, size);
   return writeWhole(file, encoded(chart, title, size));
 }

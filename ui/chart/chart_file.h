@@ -15,7 +15,7 @@ namespace ui {
 ///               and pens to match
 /// @param title  for the file's properties
 /// @param size   in mm on paper
-/// @return       empty, or what went wrong in words
+/// @return       empty, or what went wrong in words, without the file's name
 QString writeChart(QChart& chart, const QString& file, const QString& title, QSizeF size);
 
 /// The same as pixels, at 300 dpi.

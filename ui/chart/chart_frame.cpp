@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QChart>
+#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QLegend>
 #include <QLocale>
@@ -42,7 +43,9 @@ void showPart(QValueAxis& axis, const AxisScale& scale, const QString& title) {
   axis.setTickType(QValueAxis::TicksDynamic);
 }
 
-void showScale(QValueAxis& axis, const AxisScale& scale, const QString& title) {
+/// @param isShort  with the unit at each number in place of a title
+void showScale(QValueAxis& axis, const AxisScale& scale, const QString& quantity, bool isShort) {
+  const QString title = isShort ? QString() : scale.title(quantity);
   const bool endsOnTicks =
       scale.lowest == scale.ticks.lowest && scale.highest == scale.ticks.highest;
   if (endsOnTicks) {
@@ -50,14 +53,16 @@ void showScale(QValueAxis& axis, const AxisScale& scale, const QString& title) {
   } else {
     showPart(axis, scale, title);
   }
+  if (isShort) axis.setLabelFormat(labelFormat(scale.ticks) + unitSuffix(scale.unit));
 }
 
 // Around everything, in multiples of the font's size.
 constexpr double kPadding = 0.7;
 // Of a heading beside the plot, in the same unit.
-constexpr double kWidthBeside = 19;
+constexpr double kWidthBeside = 20;
 // Of a plot with its axes that has no line to spare, in the same unit.
 constexpr double kLow = 12;
+constexpr double kLowOnPaper = 10;
 constexpr double kTooLow = 5;
 
 }  // namespace
@@ -101,13 +106,14 @@ void ChartFrame::setHeading(HeadingContent content) {
 }
 
 void ChartFrame::setHorizontal(const AxisScale& scale, const QString& quantity) {
-  showScale(*m_horizontal, scale, m_isLow ? QString() : scale.title(quantity));
   // Where height is scarce the unit at each number saves a line.
-  if (m_isLow) m_horizontal->setLabelFormat(labelFormat(scale.ticks) + unitSuffix(scale.unit));
+  showScale(*m_horizontal, scale, quantity, m_isLow);
 }
 
 void ChartFrame::setVertical(const AxisScale& scale, const QString& quantity) {
-  showScale(*m_vertical, scale, scale.title(quantity));
+  const double title = QFontMetricsF(m_look.font).horizontalAdvance(scale.title(quantity));
+  const double needed = title + m_look.font.pixelSize();  // with some room at its ends
+  showScale(*m_vertical, scale, quantity, m_isLow && needed > plotSize().height());
 }
 
 int ChartFrame::horizontalIntervals() const {
@@ -134,9 +140,11 @@ void ChartFrame::layOut() {
   if (putHeadingBeside(HeadingDensity::kFull) || putHeadingBeside(HeadingDensity::kCompact)) return;
   const int em = m_look.font.pixelSize();
   const double left = m_chart->size().height() - putHeadingAbove();
-  m_isLow = left < kLow * em;
-  // The scene tells the runs, too.
-  if (left < kTooLow * em && !putHeadingBeside(HeadingDensity::kLegend)) putHeadingAbove();
+  m_isLow = left < (m_look.keepsTitles ? kLowOnPaper : kLow) * em;
+  if (left >= kTooLow * em) return;
+  // The scene tells the runs and weights, too.
+  if (putHeadingBeside(HeadingDensity::kLegend) || putHeadingBeside(HeadingDensity::kCut)) return;
+  putHeadingAbove();
 }
 
 /// Where the chart is wide and low its height belongs to the plot.
@@ -149,7 +157,7 @@ bool ChartFrame::putHeadingBeside(HeadingDensity density) {
   if (size.width() < kWide * size.height()) return false;
   const int pad = padding();
   const double width = std::min(kShare * size.width(), kWidthBeside * em);
-  const double height = m_heading->layOut(width, density);
+  const double height = m_heading->layOut(width, density, size.height() - 2 * pad);
   if (height + 2 * pad > size.height()) return false;
   m_heading->setPos(size.width() - width - pad, pad);
   setMargins({pad, 3 * pad / 2, qRound(width) + 3 * pad, pad});

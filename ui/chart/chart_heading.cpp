@@ -39,7 +39,7 @@ void ChartHeading::setContent(HeadingContent content) {
   m_content = std::move(content);
 }
 
-double ChartHeading::layOut(double width, HeadingDensity density) {
+double ChartHeading::layOut(double width, HeadingDensity density, double mostHeight) {
   m_density = density;
   prepareGeometryChange();
   m_pieces.clear();
@@ -50,8 +50,9 @@ double ChartHeading::layOut(double width, HeadingDensity density) {
   titleFont.setPixelSize(qRound(kTitleSize * em()));
   placeText(m_content.title, titleFont, m_look.theme.text);
   placeText(m_content.note, m_look.font, m_look.theme.faintText);
-  placeLegend();
-  if (density != HeadingDensity::kLegend) placeRuns();
+  placeLegend(density == HeadingDensity::kCut ? mostHeight : kUnlimited);
+  const bool tellsRuns = density == HeadingDensity::kFull || density == HeadingDensity::kCompact;
+  if (tellsRuns) placeRuns();
   placeText(m_content.warning, m_look.font, m_look.theme.drift);
   update();
   return m_bounds.height();
@@ -71,13 +72,23 @@ void ChartHeading::beginRow() {
   m_rowEnd = 0;
 }
 
-void ChartHeading::placeLegend() {
+void ChartHeading::placeLegend(double mostHeight) {
   if (!m_content.legend.empty()) beginRow();
   for (const HeadingEntry& entry : m_content.legend) {
     const bool fits = m_rowEnd + widthInOneRow({entry}) <= m_bounds.width();
-    if (m_rowEnd > 0 && !fits) beginRow();
+    if (m_rowEnd > 0 && !fits) {
+      if (m_bounds.bottom() + rowHeight() > mostHeight) return placeMore();
+      beginRow();
+    }
     placeEntry(entry, m_rowEnd + labelWidth(entry));
   }
+}
+
+/// In place of all further entries of the legend.
+void ChartHeading::placeMore() {
+  const QRectF place(m_rowEnd - kLargeGap * em() + kSmallGap * em(),
+                     m_bounds.bottom() - rowHeight(), em(), rowHeight());
+  m_pieces.push_back({place, nullptr, QStringLiteral("…"), m_look.font, m_look.theme.text, kInRow});
 }
 
 void ChartHeading::placeRuns() {

@@ -38,6 +38,7 @@ enum class HeadingDensity {
   kFull,
   kCompact,  ///< rows close together; a run with figures goes by its mark and line alone
   kLegend,   ///< rows close together; curves alone, no runs and no figures
+  kCut,      ///< the same, and what has no room is left out, which "…" says
 };
 
 /// What stands above the plot: title, legend, figures. A legend of our own because Qt's
@@ -51,7 +52,10 @@ class ChartHeading : public QGraphicsItem {
 
   /// Breaks rows to fit the width [px] and returns the height they take [px]. To be called
   /// after a change of look or content.
-  double layOut(double width, HeadingDensity density = HeadingDensity::kFull);
+  ///
+  /// @param mostHeight  of what kCut leaves, if there is room for one row [px]
+  double layOut(double width, HeadingDensity density = HeadingDensity::kFull,
+                double mostHeight = 0);
 
   /// The entry at a place, in coordinates of this item; null: none.
   const HeadingEntry* entryAt(QPointF place) const;
@@ -71,7 +75,8 @@ class ChartHeading : public QGraphicsItem {
   };
 
   void placeText(const QString& text, const QFont& font, const QColor& color);
-  void placeLegend();
+  void placeLegend(double mostHeight);
+  void placeMore();
   void placeRuns();
   /// At the end of the last row; the figures in the next one if they do not fit.
   void placeEntry(const HeadingEntry& entry, double figuresX);

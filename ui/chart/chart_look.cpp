@@ -38,7 +38,7 @@ ChartLook ChartLook::forPaper() {
   font.setHintingPreference(QFont::PreferNoHinting);
   Theme theme = Theme::light();
   theme.background = Qt::white;
-  return {theme, font};
+  return {theme, font, true};
 }
 
 void applyLook(QChart& chart, const ChartLook& look) {

@@ -16,6 +16,8 @@ inline constexpr int kPaperDotsPerInch = 150;
 struct ChartLook {
   Theme theme = Theme::light();
   QFont font;  ///< of axis numbers and legend, with its size in px
+  /// Axes keep their titles where height is scarce, too: on paper nothing else says what they are.
+  bool keepsTitles = false;
 
   /// For the screen: a widget's font, at 12 pt or more.
   static ChartLook forScreen(const Theme& theme, const QFont& font);

@@ -16,7 +16,10 @@ struct Look {
   const char* tip;
   const char* icon;
   const char* keys;
+  bool isToggle = false;  ///< on or off
 };
+
+constexpr bool kToggle = true;
 
 constexpr Look kLooks[] = {
     {Command::kNew, QT_TRANSLATE_NOOP("ui::Commands", "&New"), "",
@@ -74,7 +77,7 @@ constexpr Look kLooks[] = {
      QT_TRANSLATE_NOOP("ui::Commands", "Double the speed"), "faster", "."},
     {Command::kSplit, QT_TRANSLATE_NOOP("ui::Commands", "Split &views"),
      QT_TRANSLATE_NOOP("ui::Commands", "Split"),
-     QT_TRANSLATE_NOOP("ui::Commands", "Give each run a view of its own"), "split", "V"},
+     QT_TRANSLATE_NOOP("ui::Commands", "Give each run a view of its own"), "split", "V", kToggle},
     {Command::kNextEvent, QT_TRANSLATE_NOOP("ui::Commands", "&Next event"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Go to the next event of any kind"), "next-event",
      "Ctrl+Right"},
@@ -112,22 +115,24 @@ constexpr Look kLooks[] = {
      QT_TRANSLATE_NOOP("ui::Commands", "Find the moments to cut at that hit the target"),
      "when-to-cut", "W"},
     {Command::kTrails, QT_TRANSLATE_NOOP("ui::Commands", "&Trails"), "",
-     QT_TRANSLATE_NOOP("ui::Commands", "Show where the weights have just been"), "trails", "T"},
+     QT_TRANSLATE_NOOP("ui::Commands", "Show where the weights have just been"), "trails", "T",
+     kToggle},
     {Command::kVelocities, QT_TRANSLATE_NOOP("ui::Commands", "V&elocities"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show how fast the weights move, and where to, as arrows"),
-     "velocities", "Shift+V"},
+     "velocities", "Shift+V", kToggle},
     {Command::kForces, QT_TRANSLATE_NOOP("ui::Commands", "Fo&rces"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show gravity, air drag and the pull of the rope as arrows"),
-     "forces", "Shift+F"},
+     "forces", "Shift+F", kToggle},
     {Command::kTensions, QT_TRANSLATE_NOOP("ui::Commands", "Te&nsions"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show in newtons how hard each rope pulls"), "tensions",
-     "Shift+T"},
+     "Shift+T", kToggle},
     {Command::kTape, QT_TRANSLATE_NOOP("ui::Commands", "&Ruler"), "",
-     QT_TRANSLATE_NOOP("ui::Commands", "Measure a length in the scene"), "tape", "D"},
+     QT_TRANSLATE_NOOP("ui::Commands", "Measure a length in the scene"), "tape", "D", kToggle},
     {Command::kProtractor, QT_TRANSLATE_NOOP("ui::Commands", "&Protractor"), "",
-     QT_TRANSLATE_NOOP("ui::Commands", "Measure an angle in the scene"), "protractor", "A"},
+     QT_TRANSLATE_NOOP("ui::Commands", "Measure an angle in the scene"), "protractor", "A",
+     kToggle},
     {Command::kStopwatch, QT_TRANSLATE_NOOP("ui::Commands", "&Stopwatch"), "",
-     QT_TRANSLATE_NOOP("ui::Commands", "Measure simulated time"), "stopwatch", "K"},
+     QT_TRANSLATE_NOOP("ui::Commands", "Measure simulated time"), "stopwatch", "K", kToggle},
     {Command::kStartStopwatch, QT_TRANSLATE_NOOP("ui::Commands", "S&tart or stop the stopwatch"),
      "", QT_TRANSLATE_NOOP("ui::Commands", "Start the stopwatch at the moment shown, or stop it"),
      "", "S"},
@@ -140,11 +145,11 @@ constexpr Look kLooks[] = {
      "", "H"},
     {Command::kTarget, QT_TRANSLATE_NOOP("ui::Commands", "Tar&get"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show a target on the floor; drag it to where it shall be"),
-     "target", "G"},
+     "target", "G", kToggle},
     {Command::kLessonText, QT_TRANSLATE_NOOP("ui::Commands", "&Lesson text"),
      QT_TRANSLATE_NOOP("ui::Commands", "Lesson"),
      QT_TRANSLATE_NOOP("ui::Commands", "Show what to look for and what to try, or hide it"),
-     "lesson", "L"},
+     "lesson", "L", kToggle},
     {Command::kFit, QT_TRANSLATE_NOOP("ui::Commands", "&Fit the room"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show the whole room"), "fit", "F"},
     {Command::kZoomIn, QT_TRANSLATE_NOOP("ui::Commands", "Zoom &in"), "", "", "zoom-in", "Ctrl++"},
@@ -191,7 +196,7 @@ constexpr Look kLooks[] = {
      QT_TRANSLATE_NOOP("ui::Commands", "Present"),
      QT_TRANSLATE_NOOP("ui::Commands",
                        "Fill the screen with the scene and one chart, in large type"),
-     "present", "F11"},
+     "present", "F11", kToggle},
     {Command::kNextChart, QT_TRANSLATE_NOOP("ui::Commands", "&Next chart"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Show the next kind of chart"), "next-chart", "Ctrl+PgDown"},
     {Command::kPreviousChart, QT_TRANSLATE_NOOP("ui::Commands", "&Previous chart"), "",
@@ -206,6 +211,19 @@ constexpr Look kLooks[] = {
     {Command::kCopyChartData, QT_TRANSLATE_NOOP("ui::Commands", "Copy chart &data"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "Copy the chart's curves as a table for a spreadsheet"),
      "table", "Ctrl+Shift+D"},
+    {Command::kSheet, QT_TRANSLATE_NOOP("ui::Commands", "&Teacher's sheet"),
+     QT_TRANSLATE_NOOP("ui::Commands", "Sheet"),
+     QT_TRANSLATE_NOOP("ui::Commands",
+                       "Goal, steps, questions and expected figures of this lesson, to be printed"),
+     "sheet", "Shift+L"},
+    {Command::kGuide, QT_TRANSLATE_NOOP("ui::Commands", "Quick &guide"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Explain the window in a few pages"), "guide", "Shift+F1"},
+    {Command::kModel, QT_TRANSLATE_NOOP("ui::Commands", "The &model"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Show the equations that are computed, and why"), "model",
+     "M"},
+    {Command::kTour, QT_TRANSLATE_NOOP("ui::Commands", "T&our of the window"), "",
+     QT_TRANSLATE_NOOP("ui::Commands", "Point out the five most important parts of the window"),
+     "tour", "Ctrl+Shift+F1"},
     {Command::kKeys, QT_TRANSLATE_NOOP("ui::Commands", "&Keys"), "",
      QT_TRANSLATE_NOOP("ui::Commands", "List all keys"), "keys", "F1"},
     {Command::kAbout, QT_TRANSLATE_NOOP("ui::Commands", "&About Angry Cuts"), "", "", "", ""},
@@ -220,6 +238,7 @@ Commands::Commands(QObject* parent) : QObject(parent) {
     if (hasShortText) action->setIconText(tr(look.shortText));
     if (*look.icon != '\0') action->setIcon(icon(look.icon));
     action->setShortcut(QKeySequence(look.keys));
+    action->setCheckable(look.isToggle);
     if (*look.tip != '\0') {
       action->setStatusTip(tr(look.tip));
       const QString keys = action->shortcut().toString(QKeySequence::NativeText);
@@ -227,11 +246,6 @@ Commands::Commands(QObject* parent) : QObject(parent) {
     }
     m_actions[look.command] = action;
   }
-  for (const Command toggle :
-       {Command::kSplit, Command::kTrails, Command::kVelocities, Command::kForces,
-        Command::kTensions, Command::kTape, Command::kProtractor, Command::kStopwatch,
-        Command::kTarget, Command::kLessonText, Command::kPresent})
-    action(toggle)->setCheckable(true);
   action(Command::kTrails)->setChecked(true);
   action(Command::kZoomIn)->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")});
   action(Command::kRedo)->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});

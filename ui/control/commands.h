@@ -78,6 +78,10 @@ enum class Command {
   kChartReset,
   kCopyChart,
   kCopyChartData,
+  kSheet,
+  kGuide,
+  kModel,
+  kTour,
   kKeys,
   kAbout,
 };
@@ -92,6 +96,7 @@ class Commands : public QObject {
   QAction* action(Command command) const { return m_actions.at(command); }
   /// In the order of the menus.
   std::vector<QAction*> all() const;
+  const std::map<Command, QAction*>& byCommand() const { return m_actions; }
 
   /// Lets the play action offer what it does now.
   void showPlaying(bool playing) const;

@@ -4,13 +4,13 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QMessageBox>
 
 #include "ui/chart/chart_kind.h"
 #include "ui/control/chart_size_dialog.h"
 #include "ui/control/file_dialog.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/settings.h"
+#include "ui/control/warning.h"
 #include "ui/files/ledger_file.h"
 
 namespace ui {
@@ -76,8 +76,8 @@ void Exports::report(const QString& file, const QString& error) {
     emit done(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
     return;
   }
-  QMessageBox::warning(m_window, tr("Not exported"),
-                       tr("%1 was not written:\n%2").arg(QFileInfo(file).fileName(), error));
+  warn(m_window, tr("Not exported"),
+       tr("%1 was not written:\n%2").arg(QFileInfo(file).fileName(), error));
 }
 
 }  // namespace ui

@@ -21,13 +21,22 @@ QHash<QString, QString> builtInByTitle() {
   return names;
 }
 
+/// Nobody has asked for it now, so nobody expects to wait.
+SceneOrError readLast(const QString& fileOrName) {
+  const QString obstacle = obstacleToReading(fileOrName);
+  return obstacle.isEmpty() ? readFileOrBuiltIn(fileOrName) : SceneOrError{{}, obstacle};
+}
+
 }  // namespace
 
 FirstScene firstScene(const QString& wanted) {
-  const QString last = Settings().lastScene();
+  const Settings settings;
+  const QString last = settings.lastScene();
   const QString name = !wanted.isEmpty() ? wanted : last.isEmpty() ? kDemonstration : last;
-  SceneOrError read = readFileOrBuiltIn(name);
-  if (read.scene) return {read.scene, QFileInfo::exists(name) ? name : QString(), {}};
+  SceneOrError read = wanted.isEmpty() ? readLast(name) : readFileOrBuiltIn(name);
+  if (read.scene) {
+    return {read.scene, QFileInfo::exists(name) ? name : QString(), settings.trouble()};
+  }
   if (!wanted.isEmpty()) return {{}, {}, read.error};
   const QString message = QCoreApplication::translate(
       "ui::FirstScene", "The scene of last time, %1, was not opened: %2");

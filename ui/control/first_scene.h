@@ -15,7 +15,8 @@ extern const QString kDemonstration;
 struct FirstScene {
   std::optional<core::Scene> scene;
   QString file;     ///< where the scene came from; empty: built in
-  QString message;  ///< why there is no scene, or not the one of last time; may be empty
+  QString message;  ///< why there is no scene, or not the one of last time, or what else of last
+                    ///< time was not found; may be empty
 };
 
 /// @param wanted  a file or the name of a built-in scene; empty: the scene of last time, or the

@@ -29,6 +29,8 @@ class LessonGuide : public QObject {
 
   /// Shows the text of the scene the window starts with, if it has one and was not sent away.
   void begin();
+  /// Shows the text of the scene, if it has one, where there is a place for it.
+  void showText();
 
   /// Shows the sentence in this label, wanted or not as it was, in place of the panel; null:
   /// in the panel again.
@@ -38,7 +40,6 @@ class LessonGuide : public QObject {
   void openMenu();
   void takeScene();
   void setTextShown(bool shown);
-  void showText();
   QWidget* place() const;
   QString lesson() const;
 

@@ -28,7 +28,8 @@ int openAsRun(SceneEditor& editor, const core::Solver& solver) {
       draft.solvers.back().step = core::Solver().step;
     }
   };
-  editor.change(edit, QCoreApplication::translate("ui::OpenAsRun", "addition of a run"));
+  editor.change(edit,
+                [] { return QCoreApplication::translate("ui::OpenAsRun", "addition of a run"); });
   return static_cast<int>(editor.draft().solvers.size()) - 1;
 }
 

@@ -36,8 +36,8 @@ double scaleOf(const core::Room& room, QSizeF space) {
 
 }  // namespace
 
-Presentation::Presentation(const Commands& commands, Parts parts)
-    : QObject(parts.window),
+Presentation::Presentation(const Commands& commands, Parts parts, QObject* parent)
+    : QObject(parent),
       m_commands(commands),
       m_parts(std::move(parts)),
       m_bar(new PresentationBar(commands, m_parts.window)),
@@ -57,7 +57,9 @@ Presentation::Presentation(const Commands& commands, Parts parts)
   m_parts.window->installEventFilter(this);
 }
 
-Presentation::~Presentation() = default;
+Presentation::~Presentation() {
+  delete m_bar;
+}
 
 void Presentation::setOn(bool on) {
   if (on == m_on) return;

@@ -40,7 +40,7 @@ class Presentation : public QObject {
     std::vector<QWidget*> controls;  ///< below the scene; put away
   };
 
-  Presentation(const Commands& commands, Parts parts);
+  Presentation(const Commands& commands, Parts parts, QObject* parent);
   ~Presentation() override;
 
   bool isOn() const { return m_on; }

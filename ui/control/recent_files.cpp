@@ -11,7 +11,7 @@
 namespace ui {
 
 RecentFiles::RecentFiles(SceneFiles* files, QMenu* menu)
-    : QObject(files), m_files(files), m_menu(menu) {
+    : QObject(menu), m_files(files), m_menu(menu) {
   menu->setToolTipsVisible(true);
   connect(menu, &QMenu::aboutToShow, this, &RecentFiles::list);
 }

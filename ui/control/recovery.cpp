@@ -10,6 +10,7 @@
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
 #include "ui/files/draft_file.h"
+#include "ui/files/file_lock.h"
 
 namespace ui {
 namespace {
@@ -39,6 +40,10 @@ void Recovery::offerNext() {
   m_kept.reset();
   while (!m_found.isEmpty() && !take(m_found.takeLast())) {
   }
+  offerAgain();
+}
+
+void Recovery::offerAgain() {
   if (!m_kept) {
     emit offered({});
     return;
@@ -55,7 +60,7 @@ void Recovery::offerNext() {
 bool Recovery::take(const QString& file) {
   auto lock = std::make_unique<QLockFile>(DraftKeeper::lockOf(file));
   lock->setStaleLockTime(0);
-  if (!lock->tryLock(0)) return false;
+  if (!lockNow(*lock)) return false;
   std::optional<KeptDraft> kept = readDraftFile(file);
   if (!kept) return false;
   m_file = file;
@@ -66,7 +71,8 @@ bool Recovery::take(const QString& file) {
 
 void Recovery::bringBack() {
   if (!m_kept || !m_files->mayLeaveScene()) return;
-  m_editor->restore(m_kept->scene, m_kept->draft, m_kept->file, tr("recovery of changes"));
+  m_editor->restore(m_kept->scene, m_kept->draft, m_kept->file,
+                    [] { return tr("recovery of changes"); });
   // The old file goes when the changes are safe in a new one.
   if (m_keeper->keepAndWait()) removeOffered();
   offerNext();

@@ -28,6 +28,8 @@ class Recovery : public QObject {
 
   /// Looks for drafts; call once somebody listens.
   void start();
+  /// Offers the same draft again, if one is offered, for those who have just begun to listen.
+  void offerAgain();
 
  public slots:
   /// Brings the draft that is offered back, unless the user wants to stay with the scene.

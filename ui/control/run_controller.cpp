@@ -43,9 +43,20 @@ void RunController::setScene(std::shared_ptr<const core::Scene> scene) {
   m_lanes = Lanes(m_scene, &m_steps);
   m_wentOn.assign(m_lanes.count(), true);
   m_clock.reset(0);
+  emit begun();
   emit restarted();
   emit timeShown(0);
   noteChanges();
+}
+
+void RunController::tellAgain() {
+  emit restarted();
+  emit speedChanged(speed());
+  emit playingChanged(m_playing);
+  emit canCutChanged(canCut());
+  emit timeShown(time());
+  emit runStatusChanged();
+  emit travelled();
 }
 
 std::vector<const core::Run*> RunController::runs() const {

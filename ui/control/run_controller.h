@@ -49,6 +49,10 @@ class RunController : public QObject {
   void setScene(std::shared_ptr<const core::Scene> scene);
   const core::Scene& scene() const { return *m_scene; }
 
+  /// Says again what there is to know, for those who begin to listen while the runs go on:
+  /// restarted(), timeShown() and all that say what has changed.
+  void tellAgain();
+
   int runCount() const { return m_lanes.count(); }
   /// Runs and recordings live until the next restarted().
   const core::Run& run(int index) const { return m_lanes[index].run(); }
@@ -135,6 +139,8 @@ class RunController : public QObject {
 
  signals:
   /// All runs are new and stand at t = 0.
+  void begun();
+  /// Look at all runs anew: they have begun(), or somebody new listens.
   void restarted();
   /// Another moment is shown [s], or what is recorded has changed.
   void timeShown(double time);

@@ -36,7 +36,7 @@ SceneCommands::SceneCommands(const Commands& commands, const Subject& subject, Q
       m_commands(commands),
       m_subject(subject),
       m_mover(new WeightMover(subject.editor, subject.selection, subject.controller, this)),
-      m_tools(new ToolBox(this)),
+      m_tools(subject.tools),
       m_grasp(new SceneGrasp(subject.selection, m_mover, m_tools, this)),
       m_marker(new SceneMarker(
           {subject.editor, subject.selection, subject.controller, m_mover, m_tools}, this)) {
@@ -122,7 +122,6 @@ void SceneCommands::connectTools() {
   connect(m_grasp, &SceneGrasp::stopwatchClicked, this, startOrStop);
   on(Command::kZeroStopwatch, [this] { m_tools->setToZero(m_subject.controller->time()); });
   on(Command::kNextToolPart, [this] { m_tools->chooseNext(); });
-  connect(m_subject.controller, &RunController::restarted, m_tools, &ToolBox::restart);
 }
 
 /// One thing after the other: what is dragged, the part of a tool, the weight.

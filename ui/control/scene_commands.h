@@ -25,6 +25,7 @@ class SceneCommands : public QObject {
     SceneEditor* editor;
     Selection* selection;
     RunController* controller;
+    ToolBox* tools;
     SceneArea* area;
   };
 

@@ -20,7 +20,7 @@ SceneEditor::SceneEditor(core::Scene scene, QObject* parent)
   m_scene = std::make_shared<const core::Scene>(m_draft);
 }
 
-bool SceneEditor::change(const Edit& edit, const QString& words, const QString& mergeKey) {
+bool SceneEditor::change(const Edit& edit, const Words& words, const QString& mergeKey) {
   const core::Scene before = m_draft;
   const ScenePointer ranBefore = ranBesideDraft();
   edit(m_draft);
@@ -49,7 +49,7 @@ bool SceneEditor::judge(const ScenePointer& ranBeside) {
 }
 
 void SceneEditor::record(const core::Scene& before, const ScenePointer& ranBefore,
-                         const QString& words, const QString& mergeKey) {
+                         const Words& words, const QString& mergeKey) {
   if (UndoStep* last = m_history.stepToMergeWith(mergeKey)) {
     merge(*last, before);
   } else {
@@ -75,21 +75,21 @@ void SceneEditor::forgetUndoneSave() {
   if (m_origin.savedAt > m_history.position()) m_origin.savedAt.reset();
 }
 
-void SceneEditor::replace(core::Scene scene, const QString& file, const QString& words) {
+void SceneEditor::replace(core::Scene scene, const QString& file, const Words& words) {
   take(std::move(scene), file, words);
   m_origin = {file, m_history.position()};
   tell(true, true);
 }
 
 void SceneEditor::restore(core::Scene scene, const std::optional<core::Scene>& draft,
-                          const QString& file, const QString& words) {
+                          const QString& file, const Words& words) {
   take(std::move(scene), file, words);
   m_origin = {file, std::nullopt};
   tell(true, true);
   if (draft) change([&](core::Scene& present) { present = *draft; }, words);
 }
 
-void SceneEditor::take(core::Scene scene, const QString& file, const QString& words) {
+void SceneEditor::take(core::Scene scene, const QString& file, const Words& words) {
   const core::Scene before = std::exchange(m_draft, withSolvers(std::move(scene)));
   const ScenePointer ranBefore = ranBesideDraft();
   judge(m_scene);
@@ -160,12 +160,12 @@ void SceneEditor::redo() {
 
 QString SceneEditor::undoWords() const {
   const UndoStep* step = m_history.undoStep();
-  return step ? step->words : QString();
+  return step ? step->words.text() : QString();
 }
 
 QString SceneEditor::redoWords() const {
   const UndoStep* step = m_history.redoStep();
-  return step ? step->words : QString();
+  return step ? step->words.text() : QString();
 }
 
 /// Says what has become of the last change.

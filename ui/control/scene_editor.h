@@ -50,7 +50,7 @@ class SceneEditor : public QObject {
   /// @param mergeKey  joins changes into one step while they follow each other with the same
   ///                  key, such as those of one drag, until closeStep()
   /// @return          whether the draft has become the scene
-  bool change(const Edit& edit, const QString& words = {}, const QString& mergeKey = {});
+  bool change(const Edit& edit, const Words& words = {}, const QString& mergeKey = {});
   /// The drag or the like is over: a further one is a step of its own.
   void closeStep() { m_history.closeStep(); }
 
@@ -58,13 +58,13 @@ class SceneEditor : public QObject {
   /// @param file   where it is saved; empty: nowhere
   /// @param words  as for change()
   /// @pre problemsIn(scene) is empty, and its solvers' methods are known
-  void replace(core::Scene scene, const QString& file = {}, const QString& words = {});
+  void replace(core::Scene scene, const QString& file = {}, const Words& words = {});
 
   /// Takes a scene that was not saved, modified, with a draft beside it that may not be able
   /// to run.
   /// @pre as for replace(), for `scene`
   void restore(core::Scene scene, const std::optional<core::Scene>& draft, const QString& file,
-               const QString& words);
+               const Words& words);
 
   /// Makes the scene that runs the draft again.
   void giveUpDraft();
@@ -95,10 +95,10 @@ class SceneEditor : public QObject {
  private:
   using ScenePointer = std::shared_ptr<const core::Scene>;
 
-  void take(core::Scene scene, const QString& file, const QString& words);
+  void take(core::Scene scene, const QString& file, const Words& words);
   ScenePointer ranBesideDraft() const;
   bool judge(const ScenePointer& ranBeside);
-  void record(const core::Scene& before, const ScenePointer& ranBefore, const QString& words,
+  void record(const core::Scene& before, const ScenePointer& ranBefore, const Words& words,
               const QString& mergeKey);
   void merge(UndoStep& last, core::Scene before);
   void add(UndoStep step);

@@ -14,6 +14,8 @@
 #include "ui/control/problem_words.h"
 #include "ui/control/recent_files.h"
 #include "ui/control/scene_editor.h"
+#include "ui/control/scene_loading.h"
+#include "ui/control/warning.h"
 #include "ui/files/scene_file.h"
 
 namespace ui {
@@ -68,7 +70,7 @@ bool SceneFiles::mayLeaveScene() {
 }
 
 void SceneFiles::startNew() {
-  if (mayLeaveScene()) m_editor->replace(newScene(), {}, tr("start of a new scene"));
+  if (mayLeaveScene()) m_editor->replace(newScene(), {}, [] { return tr("start of a new scene"); });
 }
 
 void SceneFiles::askAndOpen() {
@@ -89,21 +91,19 @@ void SceneFiles::leaveAndOpen(const QString& file) {
 }
 
 void SceneFiles::open(const QString& file) {
-  SceneOrError read = readSceneFile(file);
-  if (!read.scene) {
-    warnNotOpened(file, read.error);
-    return;
-  }
+  SceneOrError read = readForWindow(file, m_window);
+  if (!read.error.isEmpty()) warnNotOpened(file, read.error);
+  if (!read.scene) return;
   m_editor->replace(std::move(*read.scene), file, openingWords(QFileInfo(file).fileName()));
 }
 
 void SceneFiles::warnNotOpened(const QString& file, const QString& reason) {
-  QMessageBox::warning(m_window, tr("Scene not opened"),
-                       tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), reason));
+  warn(m_window, tr("Scene not opened"),
+       tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), reason));
 }
 
-QString SceneFiles::openingWords(const QString& name) {
-  return tr("opening of %1").arg(name);
+Words SceneFiles::openingWords(const QString& name) {
+  return [name] { return tr("opening of %1").arg(name); };
 }
 
 bool SceneFiles::save() {
@@ -121,8 +121,8 @@ bool SceneFiles::saveAs() {
 bool SceneFiles::saveTo(const QString& file) {
   const QString error = writeSceneFile(file, *m_editor->scene());
   if (!error.isEmpty()) {
-    QMessageBox::warning(m_window, tr("Scene not saved"),
-                         tr("%1 was not saved:\n%2").arg(QFileInfo(file).fileName(), error));
+    warn(m_window, tr("Scene not saved"),
+         tr("%1 was not saved:\n%2").arg(QFileInfo(file).fileName(), error));
     return false;
   }
   m_editor->setSavedAs(file);

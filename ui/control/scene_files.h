@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "core/scene/scene.h"
+#include "ui/control/words.h"
 
 class QWidget;
 
@@ -30,7 +31,8 @@ class SceneFiles : public QObject {
 
   /// Asks about unsaved changes, then opens this file.
   void leaveAndOpen(const QString& file);
-  /// Opens this file; if it is refused the present scene stays, and a message says why.
+  /// Opens this file; if it is refused the present scene stays, and a message says why. A large
+  /// one is read beside the window, which shows how far it is and lets the user give it up.
   void open(const QString& file);
   /// Says that something was not opened, and why.
   void warnNotOpened(const QString& file, const QString& reason);
@@ -51,7 +53,7 @@ class SceneFiles : public QObject {
   void done(const QString& message);
 
  private:
-  static QString openingWords(const QString& name);
+  static Words openingWords(const QString& name);
   void remember();
 
   SceneEditor* m_editor;

@@ -28,6 +28,8 @@ class Selection : public QObject {
   /// Selects the next weight in the order of the list; after the last one the first.
   void selectNext() { selectBeside(1); }
   void selectPrevious() { selectBeside(-1); }
+  /// Says again what is selected, for those who have just begun to listen.
+  void tellAgain() { emit weightSelected(m_weight); }
 
  signals:
   /// Another weight is selected: its index, or −1 for none.

@@ -2,13 +2,18 @@
 
 #include <array>
 
+#include <QCoreApplication>
+#include <QDir>
+
 #include "ui/chart/chart_export.h"
 #include "ui/control/chart_size_dialog.h"
+#include "ui/files/file_lock.h"
 
 namespace ui {
 namespace {
 
 const QString kPainterKey = QStringLiteral("painter");
+const QString kLanguageKey = QStringLiteral("language");
 const QString kThemeKey = QStringLiteral("theme");
 const QString kTextSizeKey = QStringLiteral("textSize");
 const QString kChartSizeKey = QStringLiteral("chartSize");
@@ -25,8 +30,13 @@ constexpr double kFastest = 1024;  // no button goes so far; a file might
 
 // In the order of the enumerations.
 const std::array kPainterWords{"automatic", "opengl", "qpainter"};
+const std::array kLanguageWords{"desktop", "en", "sv", "de", "fr", "es"};
 const std::array kThemeWords{"desktop", "light", "dark"};
 const std::array kTextSizeWords{"normal", "large", "very-large"};
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ui::Settings)
+};
 
 template <class Choice, std::size_t kCount>
 Choice choiceIn(const QSettings& store, const QString& key,
@@ -40,7 +50,19 @@ Choice choiceIn(const QSettings& store, const QString& key,
 
 }  // namespace
 
-Settings::Settings() : m_store("angrycuts", "angrycuts") {}
+Settings::Settings() : m_store("angrycuts", "angrycuts") {
+  freeSettingsOfTheDead(m_store.fileName());
+}
+
+QString Settings::trouble() const {
+  const QString file = QDir::toNativeSeparators(m_store.fileName());
+  if (m_store.status() == QSettings::FormatError) {
+    return Words::tr("The settings in %1 were damaged; what could not be read is as at first.")
+        .arg(file);
+  }
+  if (m_store.isWritable()) return {};
+  return Words::tr("Settings are not remembered: nothing can be written to %1").arg(file);
+}
 
 PainterChoice Settings::painter() const {
   return choiceIn<PainterChoice>(m_store, kPainterKey, kPainterWords);
@@ -48,6 +70,14 @@ PainterChoice Settings::painter() const {
 
 void Settings::setPainter(PainterChoice choice) {
   m_store.setValue(kPainterKey, kPainterWords[static_cast<std::size_t>(choice)]);
+}
+
+Language Settings::language() const {
+  return choiceIn<Language>(m_store, kLanguageKey, kLanguageWords);
+}
+
+void Settings::setLanguage(Language language) {
+  m_store.setValue(kLanguageKey, kLanguageWords[static_cast<std::size_t>(language)]);
 }
 
 ThemeChoice Settings::theme() const {

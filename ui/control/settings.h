@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "ui/control/translations.h"
 #include "ui/style/appearance.h"
 #include "ui/view/scene_view.h"
 
@@ -18,8 +19,15 @@ class Settings {
  public:
   Settings();
 
+  /// Why something is not remembered, in words; empty where all is well. A damaged file is told
+  /// of once, when it is first read: what is written next mends it.
+  QString trouble() const;
+
   PainterChoice painter() const;
   void setPainter(PainterChoice choice);
+
+  Language language() const;
+  void setLanguage(Language language);
 
   ThemeChoice theme() const;
   void setTheme(ThemeChoice choice);

@@ -5,7 +5,6 @@
 #include "core/recording/recording.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
-#include "ui/control/scene_editor.h"
 #include "ui/control/scene_target.h"
 #include "ui/view/scene_area.h"
 
@@ -24,17 +23,15 @@ std::optional<ShownLanding> landingBy(double time, const core::Recording& record
 }
 
 TargetControl::TargetControl(const Commands& commands, const RunController* controller,
-                             const SceneEditor* editor, SceneArea* area, QObject* parent)
+                             SceneTarget* target, SceneArea* area, QObject* parent)
     : QObject(parent),
       m_commands(commands),
       m_controller(controller),
       m_area(area),
-      m_target(new SceneTarget(*editor->scene(), this)) {
+      m_target(target) {
   QAction* action = commands.action(Command::kTarget);
   connect(action, &QAction::toggled, m_target, &SceneTarget::setShown);
   connect(area, &SceneArea::targetMoved, m_target, &SceneTarget::setPlace);
-  connect(editor, &SceneEditor::sceneChanged, m_target,
-          [this, editor] { m_target->fitInto(*editor->scene()); });
   connect(m_target, &SceneTarget::changed, this, &TargetControl::refresh);
   connect(controller, &RunController::timeShown, this, [this] {
     if (m_target->isShown()) refresh();

@@ -15,7 +15,6 @@ namespace ui {
 class Commands;
 class RunController;
 class SceneArea;
-class SceneEditor;
 class SceneTarget;
 
 /// Where the weight came to the floor for the first time after the first cut, by `time` [s], as
@@ -27,8 +26,8 @@ class TargetControl : public QObject {
   Q_OBJECT
 
  public:
-  TargetControl(const Commands& commands, const RunController* controller,
-                const SceneEditor* editor, SceneArea* area, QObject* parent);
+  TargetControl(const Commands& commands, const RunController* controller, SceneTarget* target,
+                SceneArea* area, QObject* parent);
 
   SceneTarget* target() const { return m_target; }
   /// At the moment shown, with a landing for each run; nothing while the target is hidden.

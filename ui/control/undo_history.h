@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "ui/control/scene_change.h"
+#include "ui/control/words.h"
 
 namespace ui {
 
@@ -21,7 +22,7 @@ struct SceneOrigin {
 
 /// One thing that was done, as the user sees it.
 struct UndoStep {
-  QString words;     ///< what was done: "change of length"; may be empty
+  Words words;       ///< what was done: "change of length"; may be empty
   QString mergeKey;  ///< later changes with the same key belong to this step; empty: none do
   SceneChange change;
   /// What ran where the draft could not; null: the draft itself did.

@@ -76,19 +76,19 @@ void WeightMover::drag(const SceneView& view, QPointF pixel, Qt::KeyboardModifie
           const Eigen::Vector2d way = camera.scale() * (place - core::startPosition(weight));
           dragVelocity(weight, way / perSpeed, fineness);
         },
-        tr("change of velocity"), key);
+        [] { return tr("change of velocity"); }, key);
     say({velocityWords(*weight())});
   } else if (!weight()->rope) {
     change([&](core::Weight& weight) { dragPosition(weight, place, fineness); },
-           tr("move of a weight"), key);
+           [] { return tr("move of a weight"); }, key);
     say({positionWords(*weight())});
   } else if (setsLength) {
     change([&](core::Weight& weight) { dragLength(*weight.rope, place, fineness); },
-           tr("move of a weight"), key);
+           [] { return tr("move of a weight"); }, key);
     say({lengthWords(*weight()->rope)});
   } else {
     change([&](core::Weight& weight) { dragAngle(*weight.rope, place, fineness); },
-           tr("move of a weight"), key);
+           [] { return tr("move of a weight"); }, key);
     say({angleWords(*weight()->rope)});
   }
 }
@@ -104,7 +104,7 @@ void WeightMover::cancel() {
   if (!m_held) return;
   const core::Weight before = m_held->before;
   if (m_selection->weight() == m_held->weight)
-    change([&](core::Weight& weight) { weight = before; }, tr("move of a weight"),
+    change([&](core::Weight& weight) { weight = before; }, [] { return tr("move of a weight"); },
            QStringLiteral("drag"));
   m_words.clear();
   end();
@@ -117,7 +117,7 @@ void WeightMover::moveBy(double x, double y) {
       [&](core::Weight& weight) {
         nudge(weight, {x, y}, steps);
       },
-      tr("move of a weight"),
+      [] { return tr("move of a weight"); },
       x != 0 ? QStringLiteral("move aside") : QStringLiteral("move upwards"));
   const core::Weight& moved = *weight();
   say({!moved.rope ? positionWords(moved)
@@ -132,7 +132,7 @@ void WeightMover::accelerateBy(double x, double y) {
       [&](core::Weight& weight) {
         nudgeVelocity(weight, {x, y}, steps);
       },
-      tr("change of velocity"), QStringLiteral("velocity"));
+      [] { return tr("change of velocity"); }, QStringLiteral("velocity"));
   say({velocityWords(*weight())});
 }
 
@@ -142,7 +142,7 @@ void WeightMover::forgetWords() {
   emit changed();
 }
 
-void WeightMover::change(const Edit& edit, const QString& words, const QString& mergeKey) {
+void WeightMover::change(const Edit& edit, const Words& words, const QString& mergeKey) {
   const auto index = static_cast<std::size_t>(*m_selection->weight());
   m_editor->change([&](core::Scene& scene) { edit(scene.weights[index]); }, words,
                    mergeKey + QString::number(index));

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include "core/scene/scene.h"
+#include "ui/control/words.h"
 #include "ui/view/arrow_scale.h"
 
 namespace ui {
@@ -73,7 +74,7 @@ class WeightMover : public QObject {
     ArrowScales scales;
   };
 
-  void change(const Edit& edit, const QString& words, const QString& mergeKey);
+  void change(const Edit& edit, const Words& words, const QString& mergeKey);
   void say(const QStringList& words);
   QStringList problems() const;
 

@@ -1,6 +1,5 @@
 #include "ui/files/draft_file.h"
 
-#include <string_view>
 #include <utility>
 
 #include <QDataStream>
@@ -25,12 +24,11 @@ QString writeDraftFile(const QString& path, const KeptDraft& kept) {
   stream.setVersion(QDataStream::Qt_6_0);
   stream << kMagic << kVersion << kept.file << sceneText(kept.scene)
          << (kept.draft ? sceneText(*kept.draft) : QByteArray());
-  OutputFile output;
-  const std::string_view view(bytes.constData(), static_cast<std::size_t>(bytes.size()));
-  if (output.open(path) && output.write(view) && output.finish()) {
+  const QString error = writeWhole(path, bytes);
+  if (error.isEmpty()) {
     core::syncFolder(QFile::encodeName(QFileInfo(path).absolutePath()).toStdString());
   }
-  return output.error();
+  return error;
 }
 
 std::optional<KeptDraft> readDraftFile(const QString& path) {

@@ -47,6 +47,9 @@ class JsonCursor {
   bool nextElement();
   std::optional<std::string> nextKey();
 
+  /// How much of the text is passed [bytes].
+  std::size_t position() const { return m_at; }
+
   /// Checks that nothing but white space is left.
   void expectEnd();
 

@@ -65,4 +65,11 @@ bool OutputFile::finish() {
   return !file || succeeded(file->commit());
 }
 
+QString writeWhole(const QString& file, QByteArrayView bytes) {
+  const std::string_view content(bytes.data(), static_cast<std::size_t>(bytes.size()));
+  OutputFile output;
+  output.open(file) && output.write(content) && output.finish();
+  return output.error();
+}
+
 }  // namespace ui

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string_view>
 
+#include <QByteArrayView>
 #include <QString>
 
 class QFileDevice;
@@ -38,5 +39,9 @@ class OutputFile {
   std::unique_ptr<QFileDevice> m_device;
   QString m_error;
 };
+
+/// Writes a file whole or not at all.
+/// @return empty, or what went wrong in words, without the file's name
+QString writeWhole(const QString& file, QByteArrayView bytes);
 
 }  // namespace ui

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QFileInfo>
 
 #include "ui/files/output_file.h"
 #include "ui/files/scene_reader.h"
@@ -23,10 +24,19 @@ SceneOrError refused(const QString& line) {
   return {std::nullopt, line};
 }
 
-SceneOrError parse(const QByteArray& text, SceneDemand demand) {
+bool isUtf16(const QByteArray& text) {
+  return text.startsWith("\xFF\xFE") || text.startsWith("\xFE\xFF");
+}
+
+SceneOrError parse(const QByteArray& text, SceneDemand demand, const core::Progress& progress) {
+  if (text.isEmpty()) return refused(Texts::tr("the file is empty"));
+  if (isUtf16(text)) return refused(Texts::tr("not UTF-8 but UTF-16; save it as UTF-8"));
   if (!text.isValidUtf8()) return refused(Texts::tr("not UTF-8"));
   try {
-    return {SceneReader(std::string_view(text.constData(), text.size()), demand).read(), {}};
+    const std::string_view content(text.constData(), static_cast<std::size_t>(text.size()));
+    return {SceneReader(content, demand, progress).read(), {}};
+  } catch (const ReadingStopped&) {
+    return {};
   } catch (const JsonError& error) {
     return refused(Texts::tr("not JSON: %1").arg(error.line));
   } catch (const ValueRefused& refusal) {
@@ -37,20 +47,26 @@ SceneOrError parse(const QByteArray& text, SceneDemand demand) {
 }  // namespace
 
 SceneOrError parseScene(const QByteArray& text) {
-  return parse(text, SceneDemand::kCanRun);
+  return parse(text, SceneDemand::kCanRun, {});
 }
 
 SceneOrError parseDraft(const QByteArray& text) {
-  return parse(text, SceneDemand::kDraft);
+  return parse(text, SceneDemand::kDraft, {});
 }
 
-SceneOrError readSceneFile(const QString& file) {
+SceneOrError readSceneFile(const QString& file, const core::Progress& progress) {
   QFile input(file);
   if (!input.open(QIODevice::ReadOnly)) return refused(input.errorString());
   const QByteArray text = input.read(kLargestFile + 1);
   if (input.error() != QFileDevice::NoError) return refused(input.errorString());
   if (text.size() > kLargestFile) return refused(Texts::tr("larger than 64 MiB"));
-  return parseScene(text);
+  return parse(text, SceneDemand::kCanRun, progress);
+}
+
+QString obstacleToReading(const QString& file) {
+  const QFileInfo info(file);
+  const bool isSpecial = info.exists() && !info.isFile() && !info.isDir();
+  return isSpecial ? Texts::tr("it is no file but a pipe or a device") : QString();
 }
 
 QByteArray sceneText(const core::Scene& scene) {
@@ -58,9 +74,7 @@ QByteArray sceneText(const core::Scene& scene) {
 }
 
 QString writeSceneFile(const QString& file, const core::Scene& scene) {
-  OutputFile output;
-  if (output.open(file) && output.write(writtenScene(scene))) output.finish();
-  return output.error();
+  return writeWhole(file, writtenScene(scene));
 }
 
 }  // namespace ui

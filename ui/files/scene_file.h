@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include "core/scene/scene.h"
+#include "core/trade/work_meter.h"
 
 namespace ui {
 
@@ -23,8 +24,13 @@ SceneOrError parseScene(const QByteArray& text);
 /// Reads what sceneText() made of a scene, even one that cannot run.
 SceneOrError parseDraft(const QByteArray& text);
 
-/// Reads a scene file of at most 64 MiB.
-SceneOrError readSceneFile(const QString& file);
+/// Reads a scene file of at most 64 MiB. Waits for what comes through a pipe.
+/// @param progress  may be empty; where it stops the reading there is neither scene nor error
+SceneOrError readSceneFile(const QString& file, const core::Progress& progress = {});
+
+/// Why a window should not read this file: it would wait for what comes through a pipe or a
+/// device. Empty if nothing is known against it.
+QString obstacleToReading(const QString& file);
 
 /// The scene as a file's text: UTF-8 JSON, indented, every value written so that it reads
 /// back to the same double.

@@ -13,6 +13,13 @@
 
 namespace ui {
 
+namespace {
+
+// Of the whole work, up to the search for overlaps, as measured on 100,000 weights.
+constexpr double kShareOfReading = 0.8;
+
+}  // namespace
+
 core::Scene SceneReader::read() {
   checkHeader();
   core::Scene scene = readScene();
@@ -85,11 +92,21 @@ core::Scene SceneReader::readScene() {
       {"restitution", [&] { scene.restitution = readNumber(); }},
       {"cutTime", [&] { scene.cutTime = readNumberOrNull(); }},
       {"weights",
-       [&] { readList(0, mostWeights, [&] { scene.weights.push_back(readWeight()); }); }},
+       [&] {
+         readList(0, mostWeights, [&] {
+           scene.weights.push_back(readWeight());
+           showProgress();
+         });
+       }},
       {"solvers",
        [&] { readList(1, core::kMostSolvers, [&] { scene.solvers.push_back(readSolver()); }); }},
   });
   return scene;
+}
+
+void SceneReader::showProgress() {
+  const double read = static_cast<double>(m_json.position()) / static_cast<double>(m_text.size());
+  if (m_progress && !m_progress(kShareOfReading * read)) throw ReadingStopped{};
 }
 
 void SceneReader::readRoom(core::Room& room) {

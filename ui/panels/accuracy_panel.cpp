@@ -175,9 +175,7 @@ void AccuracyPanel::saveChart(const QString& file) {
 }
 
 void AccuracyPanel::saveTable(const QString& file) {
-  OutputFile output;
-  output.open(file) && output.write(core::measurementCsv(*m_measurement)) && output.finish();
-  sayIfNotExported(this, file, output.error());
+  sayIfNotExported(this, file, writeWhole(file, core::measurementCsv(*m_measurement)));
 }
 
 QString AccuracyPanel::suggested(const QString& ending) const {

@@ -165,6 +165,25 @@ int ChartsPanel::weight() const {
   return m_weight->value() - 1;
 }
 
+ChartsView ChartsPanel::view() const {
+  ChartsView view{kind(), m_runs->currentIndex() - 1, weight(), {}, m_chart->plot().hidden().runs};
+  const auto entries = legendCurves(m_chart->plot().content().curves);
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (m_chart->plot().hidden().names.contains(entries[i]->name)) view.hiddenCurves.insert(i);
+  return view;
+}
+
+void ChartsPanel::setView(const ChartsView& view) {
+  chooseKind(view.kind);
+  chooseRun(view.run);
+  chooseWeight(view.weight);
+  HiddenCurves hidden{{}, view.hiddenRuns};
+  const auto entries = legendCurves(m_chart->plot().content().curves);
+  for (const std::size_t entry : view.hiddenCurves)
+    if (entry < entries.size()) hidden.names.insert(entries[entry]->name);
+  m_chart->setHidden(hidden);
+}
+
 void ChartsPanel::chooseNextKind() {
   m_kinds->setCurrentIndex((m_kinds->currentIndex() + 1) % m_kinds->count());
 }

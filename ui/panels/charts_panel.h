@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include <QWidget>
@@ -16,6 +17,15 @@ namespace ui {
 class ChartWidget;
 class Commands;
 class RunController;
+
+/// What a charts panel shows, in no language.
+struct ChartsView {
+  int kind = 0;                        ///< index in chartKinds()
+  int run = -1;                        ///< index; −1: all
+  int weight = -1;                     ///< index; −1: all
+  std::set<std::size_t> hiddenCurves;  ///< by their places in the legend
+  std::set<std::size_t> hiddenRuns;
+};
 
 /// Charts of all runs or of a chosen one, of all weights or of a chosen one; one kind at a
 /// time, chosen by tabs.
@@ -42,6 +52,9 @@ class ChartsPanel : public QWidget {
   void chooseWeight(int weight);
   /// Index of the weight shown; −1: all.
   int weight() const;
+
+  ChartsView view() const;
+  void setView(const ChartsView& view);
 
  public slots:
   void chooseNextKind();

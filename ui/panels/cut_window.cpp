@@ -349,7 +349,7 @@ void CutWindow::finish(const std::vector<core::Hit>& hits, const core::Target& t
 
 void CutWindow::pick(double cutTime) {
   const bool isTaken = m_editor->change([&](core::Scene& scene) { scene.cutTime = cutTime; },
-                                        tr("change of the cut"));
+                                        [] { return tr("change of the cut"); });
   if (!isTaken) return;
   m_found->setText(tr("All ropes are cut at %1 s now. Play to see where weight %2 lands.")
                        .arg(cutTimeText(cutTime))
@@ -363,9 +363,7 @@ void CutWindow::saveChart(const QString& file) {
 
 void CutWindow::saveTable(const QString& file) {
   const std::string table = sweepTable(*m_result, ',', QStringLiteral(".")).toStdString();
-  OutputFile output;
-  output.open(file) && output.write(table) && output.finish();
-  sayIfNotExported(this, file, output.error());
+  sayIfNotExported(this, file, writeWhole(file, table));
 }
 
 void CutWindow::copyChart() const {

@@ -2,7 +2,8 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QMessageBox>
+
+#include "ui/control/warning.h"
 
 namespace ui {
 namespace {
@@ -20,8 +21,8 @@ QStringList pictureKinds() {
 
 void sayIfNotExported(QWidget* window, const QString& file, const QString& error) {
   if (error.isEmpty()) return;
-  QMessageBox::warning(window, Words::tr("Not exported"),
-                       Words::tr("%1 was not written:\n%2").arg(QFileInfo(file).fileName(), error));
+  warn(window, Words::tr("Not exported"),
+       Words::tr("%1 was not written:\n%2").arg(QFileInfo(file).fileName(), error));
 }
 
 }  // namespace ui

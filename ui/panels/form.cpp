@@ -2,10 +2,10 @@
 
 #include <QFormLayout>
 #include <QLabel>
-#include <QLocale>
 
 #include "ui/control/problem_words.h"
 #include "ui/control/scene_editor.h"
+#include "ui/control/translations.h"
 #include "ui/panels/quantity_field.h"
 
 namespace ui {
@@ -29,26 +29,30 @@ void Form::addHeading(const QString& words) {
   m_rows->addRow(heading);
 }
 
-QuantityField* Form::addQuantity(const QString& label, const QuantityStyle& style, Reader read,
+QuantityField* Form::addQuantity(const FieldWords& words, const QuantityStyle& style, Reader read,
                                  Writer write) {
   auto* field = new QuantityField(style);
-  m_rows->addRow(label, field);
-  field->spinBox()->setAccessibleName(label);
-  bind(field, std::move(read), std::move(write));
+  m_rows->addRow(words.name.text(), field);
+  m_rows->labelForField(field)->setToolTip(words.meaning);
+  bind(field, words, std::move(read), std::move(write));
   return field;
 }
 
-void Form::bind(QuantityField* field, Reader read, Writer write) {
+void Form::bind(QuantityField* field, const FieldWords& words, Reader read, Writer write) {
+  field->setName(words.name.text(), words.meaning);
   m_bindings.push_back({field, std::move(read)});
-  connect(field, &QuantityField::edited, this, [this, field, write = std::move(write)](double v) {
-    const QuantitySpinBox* box = field->spinBox();
-    const QString name = box->accessibleName();
-    // One go of an arrow is one step; what is typed is a step each time.
-    const bool canRun = m_editor->change([&](core::Scene& draft) { write(draft, v); },
-                                         tr("change of %1").arg(QLocale().toLower(name)),
-                                         box->isStepping() ? name : QString());
-    if (!canRun) field->mark(problemWords(m_editor->problems().front()));
-  });
+  const auto changeOf = [name = words.name] {
+    return tr("change of %1").arg(withinSentence(name.text()));
+  };
+  connect(field, &QuantityField::edited, this,
+          [this, field, changeOf, write = std::move(write)](double value) {
+            const QuantitySpinBox* box = field->spinBox();
+            // One go of an arrow is one step; what is typed is a step each time.
+            const QString mergeKey = box->isStepping() ? box->accessibleName() : QString();
+            const bool canRun = m_editor->change([&](core::Scene& draft) { write(draft, value); },
+                                                 changeOf, mergeKey);
+            if (!canRun) field->mark(problemWords(m_editor->problems().front()));
+          });
   connect(field->spinBox(), &QAbstractSpinBox::editingFinished, m_editor, &SceneEditor::closeStep);
   connect(field, &QuantityField::cancelled, m_editor, &SceneEditor::giveUpDraft);
 }

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "core/scene/scene.h"
+#include "ui/control/words.h"
 #include "ui/panels/quantity_spin_box.h"
 
 class QFormLayout;
@@ -15,6 +16,12 @@ namespace ui {
 
 class QuantityField;
 class SceneEditor;
+
+/// What a field is called, and what its number means.
+struct FieldWords {
+  Words name;       ///< as a label: "Air density"
+  QString meaning;  ///< in a sentence or two, with symbol and formula
+};
 
 /// A column of fields that show a scene's draft and change it.
 class Form : public QWidget {
@@ -35,10 +42,10 @@ class Form : public QWidget {
   /// Adds a heading above the rows that follow.
   void addHeading(const QString& words);
   /// Adds a row with a field that shows and changes one quantity of the draft.
-  QuantityField* addQuantity(const QString& label, const QuantityStyle& style, Reader read,
+  QuantityField* addQuantity(const FieldWords& words, const QuantityStyle& style, Reader read,
                              Writer write);
   /// Lets a field that is laid out elsewhere show and change one quantity of the draft.
-  void bind(QuantityField* field, Reader read, Writer write);
+  void bind(QuantityField* field, const FieldWords& words, Reader read, Writer write);
 
   /// Shows the draft; called whenever it has changed.
   virtual void showDraft();

@@ -60,6 +60,7 @@ LessonPanel::LessonPanel(const Commands& commands, QWidget* parent)
   m_tries->setColumnStretch(1, 1);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(buttonFor(commands.action(Command::kLessons), tr("All lessons")));
+  buttons->addWidget(buttonFor(commands.action(Command::kSheet), tr("Sheet")));
   buttons->addStretch(1);
   buttons->addWidget(buttonFor(commands.action(Command::kLessonText), tr("Hide")));
   auto* layout = new QVBoxLayout(this);

@@ -30,6 +30,7 @@ MessageBar::MessageBar(const QString& offer, const QString& otherOffer, QWidget*
   layout->addWidget(m_button);
   layout->addWidget(m_otherButton);
   m_icon->setPixmap(icon("warning").pixmap(kIconSize));
+  m_text->setTextFormat(Qt::PlainText);  // a scene's name may stand in it
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_button->setText(offer);

@@ -32,6 +32,13 @@ QuantityField::~QuantityField() {
   m_spinBox->disconnect(this);
 }
 
+void QuantityField::setName(const QString& name, const QString& meaning) {
+  m_meaning = meaning;
+  m_spinBox->setAccessibleName(name);
+  m_spinBox->setAccessibleDescription(meaning);
+  m_spinBox->setToolTip(meaning);
+}
+
 void QuantityField::setValue(double value) {
   if (m_holdsBadText && m_value == value) return;
   m_value = value;
@@ -86,7 +93,7 @@ void QuantityField::mark(const QString& reason) {
 void QuantityField::clearMark() {
   m_reason.clear();
   m_spinBox->setMarked(false);
-  m_spinBox->setAccessibleDescription({});
+  m_spinBox->setAccessibleDescription(m_meaning);
   m_reasonLabel->hide();
 }
 

@@ -23,6 +23,9 @@ class QuantityField : public QWidget {
   explicit QuantityField(const QuantityStyle& style, QWidget* parent = nullptr);
   ~QuantityField() override;
 
+  /// Tells screen readers what it is called, and everybody who points at it what it means.
+  void setName(const QString& name, const QString& meaning);
+
   /// Shows a value, unless it is the one already shown with something bad typed over it.
   /// @param value  in SI units, radians for angles
   void setValue(double value);
@@ -53,6 +56,7 @@ class QuantityField : public QWidget {
   std::optional<double> m_value;
   bool m_holdsBadText = false;
   QString m_reason;
+  QString m_meaning;
   QuantitySpinBox* m_spinBox;
   QLabel* m_reasonLabel;
 };

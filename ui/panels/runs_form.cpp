@@ -52,8 +52,30 @@ RunsForm::RunsForm(SceneEditor* editor, QWidget* parent)
 }
 
 void RunsForm::addHeadings() {
-  m_grid->addWidget(new QLabel(tr("Method")), 0, kMethodColumn);
-  m_grid->addWidget(new QLabel(tr("Step, tolerance")), 0, kStepColumn);
+  auto* method = new QLabel(tr("Method"));
+  method->setToolTip(methodMeaning());
+  m_grid->addWidget(method, 0, kMethodColumn);
+  auto* step = new QLabel(tr("Step, tolerance"));
+  step->setToolTip(stepMeaning() + '\n' + toleranceMeaning());
+  m_grid->addWidget(step, 0, kStepColumn);
+}
+
+QString RunsForm::methodMeaning() {
+  return tr(
+      "How the run gets from one moment to the next. The error of a method of order p "
+      "shrinks with the step h like h to the power of p.");
+}
+
+QString RunsForm::stepMeaning() {
+  return tr(
+      "Step h in s: how much simulated time the method takes at once. Smaller steps are "
+      "more exact and cost more.");
+}
+
+QString RunsForm::toleranceMeaning() {
+  return tr(
+      "Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and "
+      "rad/s. It chooses its steps accordingly.");
 }
 
 void RunsForm::addRun(int index) {
@@ -63,8 +85,6 @@ void RunsForm::addRun(int index) {
                     firstSolver(index)});
   const Row& row = m_runs.back();
   fillMethods(row.method, index);
-  row.step->spinBox()->setAccessibleName(tr("Step of run %1").arg(index + 1));
-  row.tolerance->spinBox()->setAccessibleName(tr("Tolerance of run %1").arg(index + 1));
   m_grid->addWidget(nameOf(row, index), index + 1, 0);
   m_grid->addWidget(row.method, index + 1, kMethodColumn);
   m_grid->addWidget(row.step, index + 1, kStepColumn);
@@ -72,8 +92,11 @@ void RunsForm::addRun(int index) {
   connect(row.shown, &QCheckBox::toggled, this, [=, this](bool on) { setShown(index, on); });
   connect(row.method, &QComboBox::activated, this,
           [=, this] { setMethod(index, m_runs[index].method->currentData().toString()); });
-  bindPart(row.step, index, &core::Solver::step);
-  bindPart(row.tolerance, index, &core::Solver::tolerance);
+  const FieldWords step{[index] { return tr("Step of run %1").arg(index + 1); }, stepMeaning()};
+  const FieldWords tolerance{[index] { return tr("Tolerance of run %1").arg(index + 1); },
+                             toleranceMeaning()};
+  bindPart(row.step, index, step, &core::Solver::step);
+  bindPart(row.tolerance, index, tolerance, &core::Solver::tolerance);
 }
 
 /// The reference is offered to all runs but the first, which the others are compared with.
@@ -85,17 +108,20 @@ void RunsForm::fillMethods(QComboBox* chooser, int index) {
   chooser->setFocusPolicy(Qt::TabFocus);
   ignoreWheelWithoutFocus(chooser);
   chooser->setAccessibleName(tr("Method of run %1").arg(index + 1));
+  chooser->setAccessibleDescription(methodMeaning());
+  chooser->setToolTip(methodMeaning());
 }
 
 /// The reference has neither step nor tolerance to choose.
-void RunsForm::bindPart(QuantityField* field, int index, Part part) {
+void RunsForm::bindPart(QuantityField* field, int index, const FieldWords& words, Part part) {
   const auto read = [=, this](const core::Scene& scene) -> std::optional<double> {
     const core::Solver& solver =
         isShown(scene, index) ? scene.solvers[index] : m_runs[index].latest;
     if (core::isReference(solver)) return std::nullopt;
     return solver.*part;
   };
-  bind(field, read, [=](core::Scene& scene, double value) { scene.solvers[index].*part = value; });
+  bind(field, words, read,
+       [=](core::Scene& scene, double value) { scene.solvers[index].*part = value; });
 }
 
 /// The mark the run's weights have in the scene, and whether it is shown.
@@ -103,6 +129,7 @@ QWidget* RunsForm::nameOf(const Row& row, int index) {
   const QString words = tr("Run %1").arg(index + 1);
   row.shown->setFocusPolicy(Qt::TabFocus);
   row.shown->setAccessibleName(words);
+  row.shown->setToolTip(tr("Compute the scene with this method, too"));
   row.mark->setToolTip(words);
   auto* name = new QWidget;
   auto* layout = new QHBoxLayout(name);
@@ -125,7 +152,8 @@ void RunsForm::setShown(int index, bool shown) {
       draft.solvers.erase(draft.solvers.begin() + index);
     }
   };
-  editor()->change(edit, shown ? tr("addition of a run") : tr("removal of a run"));
+  editor()->change(edit,
+                   [shown] { return shown ? tr("addition of a run") : tr("removal of a run"); });
 }
 
 void RunsForm::setMethod(int index, const QString& id) {
@@ -139,7 +167,7 @@ void RunsForm::setMethod(int index, const QString& id) {
     if (core::findMethod(solver.method)->isAdaptive && !core::isReference(solver))
       solver.step = core::Solver().step;
   };
-  editor()->change(edit, tr("change of the method"));
+  editor()->change(edit, [] { return tr("change of the method"); });
 }
 
 void RunsForm::showDraft() {

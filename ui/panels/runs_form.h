@@ -33,10 +33,13 @@ class RunsForm : public Form {
 
   using Part = double core::Solver::*;
 
+  static QString methodMeaning();
+  static QString stepMeaning();
+  static QString toleranceMeaning();
   void addHeadings();
   void addRun(int index);
   void fillMethods(QComboBox* chooser, int index);
-  void bindPart(QuantityField* field, int index, Part part);
+  void bindPart(QuantityField* field, int index, const FieldWords& words, Part part);
   QWidget* nameOf(const Row& row, int index);
   void showRun(int index);
   void setShown(int index, bool shown);

@@ -29,7 +29,9 @@ SceneForm::SceneForm(SceneEditor* editor, QWidget* parent)
 
 void SceneForm::addWeights() {
   addQuantity(
-      tr("Weights"), {.range = kCountRange, .arrowStep = 1, .wholeNumbers = true},
+      {[] { return tr("Weights"); }, tr("How many weights there are, hung up at even intervals. "
+                                        "New ones are like the last one.")},
+      {.range = kCountRange, .arrowStep = 1, .wholeNumbers = true},
       [](const core::Scene& scene) { return static_cast<double>(scene.weights.size()); },
       [](core::Scene& scene, double count) {
         scene = core::withWeightCount(scene, static_cast<int>(count));
@@ -39,51 +41,62 @@ void SceneForm::addWeights() {
 
 void SceneForm::addSurroundings() {
   addQuantity(
-      tr("Gravity"), {core::kGravityRange, 0.1},
-      [](const core::Scene& scene) { return scene.gravity; },
+      {[] { return tr("Gravity"); }, tr("Acceleration of free fall g, in m/s². It pulls each "
+                                        "weight down with the force m g. On Earth 9.81 m/s².")},
+      {core::kGravityRange, 0.1}, [](const core::Scene& scene) { return scene.gravity; },
       [](core::Scene& scene, double gravity) { scene.gravity = gravity; });
   addQuantity(
-      tr("Air density"), {core::kAirDensityRange, 0.1},
-      [](const core::Scene& scene) { return scene.airDensity; },
+      {[] { return tr("Air density"); },
+       tr("Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = "
+          "π r². 1.2 kg/m³ at sea level, 0 for vacuum.")},
+      {core::kAirDensityRange, 0.1}, [](const core::Scene& scene) { return scene.airDensity; },
       [](core::Scene& scene, double density) { scene.airDensity = density; });
 }
 
 void SceneForm::addRoom() {
   addHeading(tr("Room"));
   addQuantity(
-      tr("Width"), {core::kRoomSizeRange, 0.1},
-      [](const core::Scene& scene) { return scene.room.width; },
+      {[] { return tr("Width"); }, tr("Distance between the walls, in m.")},
+      {core::kRoomSizeRange, 0.1}, [](const core::Scene& scene) { return scene.room.width; },
       [](core::Scene& scene, double width) { scene.room.width = width; });
   addQuantity(
-      tr("Height"), {core::kRoomSizeRange, 0.1},
-      [](const core::Scene& scene) { return scene.room.height; },
+      {[] { return tr("Height"); }, tr("Distance between floor and ceiling, in m.")},
+      {core::kRoomSizeRange, 0.1}, [](const core::Scene& scene) { return scene.room.height; },
       [](core::Scene& scene, double height) { scene.room.height = height; });
 }
 
 void SceneForm::addImpacts() {
   addHeading(tr("Impacts"));
   addQuantity(
-      tr("Restitution of walls"), {core::kRestitutionRange, 0.05},
+      {[] { return tr("Restitution of walls"); },
+       tr("Share e of the speed towards a wall, the floor or the ceiling with which a weight "
+          "leaves it: 1 loses nothing, 0 does not bounce.")},
+      {core::kRestitutionRange, 0.05},
       [](const core::Scene& scene) { return scene.room.restitution; },
       [](core::Scene& scene, double restitution) { scene.room.restitution = restitution; });
   addQuantity(
-      tr("Friction of walls"), {core::kFrictionRange, 0.05},
-      [](const core::Scene& scene) { return scene.room.friction; },
+      {[] { return tr("Friction of walls"); },
+       tr("Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the "
+          "force, or the impulse, that presses the weight against them.")},
+      {core::kFrictionRange, 0.05}, [](const core::Scene& scene) { return scene.room.friction; },
       [](core::Scene& scene, double friction) { scene.room.friction = friction; });
   addQuantity(
-      tr("Restitution of weights"), {core::kRestitutionRange, 0.05},
-      [](const core::Scene& scene) { return scene.restitution; },
+      {[] { return tr("Restitution of weights"); },
+       tr("Share e of the speed towards each other with which two weights part after an impact: 1 "
+          "loses nothing, 0 does not bounce.")},
+      {core::kRestitutionRange, 0.05}, [](const core::Scene& scene) { return scene.restitution; },
       [](core::Scene& scene, double restitution) { scene.restitution = restitution; });
 }
 
 void SceneForm::addCut() {
   m_cutByClock->setToolTip(tr("Unticked: all ropes are cut by hand, with the Cut button"));
   m_cutByClock->setFocusPolicy(Qt::TabFocus);
-  m_cutTime->spinBox()->setAccessibleName(tr("Time of the cut"));
   m_cutTime->spinBox()->setEmptyWords(tr("by hand"));
   rows()->addRow(m_cutByClock, m_cutTime);
+  const FieldWords words{[] { return tr("Time of the cut"); },
+                         tr("Simulated time in s at which all ropes are cut.")};
   bind(
-      m_cutTime, [](const core::Scene& scene) { return scene.cutTime; },
+      m_cutTime, words, [](const core::Scene& scene) { return scene.cutTime; },
       [](core::Scene& scene, double time) { scene.cutTime = time; });
   connect(m_cutByClock, &QCheckBox::toggled, this, &SceneForm::setCutByClock);
 }
@@ -93,7 +106,7 @@ void SceneForm::setCutByClock(bool byClock) {
       [byClock](core::Scene& draft) {
         draft.cutTime = byClock ? std::optional(kFirstCutTime) : std::nullopt;
       },
-      tr("change of the cut"));
+      [] { return tr("change of the cut"); });
 }
 
 void SceneForm::showDraft() {

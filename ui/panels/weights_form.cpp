@@ -57,22 +57,32 @@ void WeightsForm::addChooser() {
 
 void WeightsForm::addRopeRows() {
   addHeading(tr("Rope"));
-  m_ropeLength =
-      addWeightQuantity(tr("Length"), {core::kRopeLengthRange, 0.05},
-                        [](core::Weight& weight) { return ropePart(weight, &core::Rope::length); });
-  m_ropeAngle =
-      addWeightQuantity(tr("Start angle"), {core::kRopeAngleRange, 5},
-                        [](core::Weight& weight) { return ropePart(weight, &core::Rope::angle); });
+  m_ropeLength = addWeightQuantity(
+      {[] { return tr("Length"); }, tr("Length of the rope L, in m: from its pivot to the center "
+                                       "of the weight. A small swing takes T = 2π √(L/g).")},
+      {core::kRopeLengthRange, 0.05},
+      [](core::Weight& weight) { return ropePart(weight, &core::Rope::length); });
+  m_ropeAngle = addWeightQuantity(
+      {[] { return tr("Start angle"); }, tr("Angle θ of the rope at the start, in degrees from "
+                                            "straight down, positive to the right.")},
+      {core::kRopeAngleRange, 5},
+      [](core::Weight& weight) { return ropePart(weight, &core::Rope::angle); });
 }
 
 void WeightsForm::addBodyRows() {
   addHeading(tr("Body"));
   m_bodyFields = {
-      addWeightQuantity(tr("Mass"), {core::kMassRange, 0.01},
-                        [](core::Weight& weight) { return &weight.mass; }),
-      addWeightQuantity(tr("Radius"), {core::kRadiusRange, 0.005},
-                        [](core::Weight& weight) { return &weight.radius; }),
-      addWeightQuantity(tr("Drag coefficient"), {core::kDragCoefficientRange, 0.05},
+      addWeightQuantity(
+          {[] { return tr("Mass"); }, tr("Mass m, in kg. It does not matter for a swing without "
+                                         "air; with air a heavier weight is slowed down less.")},
+          {core::kMassRange, 0.01}, [](core::Weight& weight) { return &weight.mass; }),
+      addWeightQuantity(
+          {[] { return tr("Radius"); }, tr("Radius r, in m. Air meets the area A = π r².")},
+          {core::kRadiusRange, 0.005}, [](core::Weight& weight) { return &weight.radius; }),
+      addWeightQuantity({[] { return tr("Drag coefficient"); },
+                         tr("Drag coefficient c_d, without unit: how well the shape is held up by "
+                            "air. 0.47 for a sphere.")},
+                        {core::kDragCoefficientRange, 0.05},
                         [](core::Weight& weight) { return &weight.dragCoefficient; }),
   };
 }
@@ -85,7 +95,7 @@ void WeightsForm::addTableButton() {
 }
 
 /// @param part  where a weight keeps the quantity; null where it has none
-QuantityField* WeightsForm::addWeightQuantity(const QString& label, const QuantityStyle& style,
+QuantityField* WeightsForm::addWeightQuantity(const FieldWords& words, const QuantityStyle& style,
                                               const std::function<double*(core::Weight&)>& part) {
   const auto read = [this, part](const core::Scene& scene) -> std::optional<double> {
     std::optional<double> common;
@@ -102,7 +112,7 @@ QuantityField* WeightsForm::addWeightQuantity(const QString& label, const Quanti
       if (double* place = part(weight)) *place = value;
     }
   };
-  return addQuantity(label, style, read, write);
+  return addQuantity(words, style, read, write);
 }
 
 void WeightsForm::showDraft() {

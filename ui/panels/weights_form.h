@@ -30,7 +30,7 @@ class WeightsForm : public Form {
   void addRopeRows();
   void addBodyRows();
   void addTableButton();
-  QuantityField* addWeightQuantity(const QString& label, const QuantityStyle& style,
+  QuantityField* addWeightQuantity(const FieldWords& words, const QuantityStyle& style,
                                    const std::function<double*(core::Weight&)>& part);
 
   QSpinBox* m_chooser;

@@ -8,7 +8,6 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -16,6 +15,7 @@
 #include "core/scene/placing.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/selection.h"
+#include "ui/control/translations.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/weight_cell_delegate.h"
 #include "ui/panels/weights_model.h"
@@ -179,11 +179,11 @@ void WeightsTable::enter(const QModelIndex& index, const QString& text) {
   if (!std::ranges::binary_search(rows, index.row())) rows = {index.row()};
   const auto column = static_cast<WeightColumn>(index.column());
   take(withValue(m_editor->draft(), rows, column, text),
-       tr("change of %1").arg(QLocale().toLower(columnName(column))));
+       [column] { return tr("change of %1").arg(withinSentence(columnName(column))); });
 }
 
 /// Makes it the scene, or says why not.
-bool WeightsTable::take(PastedScene pasted, const QString& words) {
+bool WeightsTable::take(PastedScene pasted, const Words& words) {
   if (!pasted.scene) {
     m_refusal->say(tr("Nothing was changed. %1").arg(pasted.refusal));
     return false;
@@ -193,18 +193,18 @@ bool WeightsTable::take(PastedScene pasted, const QString& words) {
 }
 
 void WeightsTable::addWeight() {
-  append({core::firstWeight(m_editor->draft().room)}, tr("addition of a weight"));
+  append({core::firstWeight(m_editor->draft().room)}, [] { return tr("addition of a weight"); });
 }
 
 void WeightsTable::duplicate() {
   std::vector<core::Weight> copies;
   for (const int row : selectedRows())
     copies.push_back(m_editor->draft().weights[static_cast<std::size_t>(row)]);
-  append(std::move(copies), tr("duplication of weights"));
+  append(std::move(copies), [] { return tr("duplication of weights"); });
 }
 
 /// Adds weights beside the others and selects them.
-void WeightsTable::append(std::vector<core::Weight> weights, const QString& words) {
+void WeightsTable::append(std::vector<core::Weight> weights, const Words& words) {
   if (weights.empty()) return;
   const int first = m_model->rowCount();
   const auto edit = [&](core::Scene& draft) {
@@ -232,7 +232,7 @@ void WeightsTable::remove() {
     }
     draft.weights = std::move(kept);
   };
-  m_editor->change(edit, tr("removal of weights"));
+  m_editor->change(edit, [] { return tr("removal of weights"); });
   const int row = std::min(rows.front(), m_model->rowCount() - 1);
   m_view->selectionModel()->clearSelection();
   m_view->setCurrentIndex(m_model->index(row, std::max(m_view->currentIndex().column(), 0)));
@@ -258,7 +258,7 @@ void WeightsTable::pasteAt(const PastePlace& place) {
   PastedScene pasted = withPasted(m_editor->draft(), QApplication::clipboard()->text(), place);
   const int rows = pasted.rowCount;
   const int added = pasted.addedCount;
-  if (!take(std::move(pasted), tr("pasting"))) return;
+  if (!take(std::move(pasted), [] { return tr("pasting"); })) return;
   emit done(added == 0 ? tr("Rows pasted: %1").arg(rows)
                        : tr("Rows pasted: %1; new weights: %2").arg(rows).arg(added));
 }
@@ -274,7 +274,7 @@ void WeightsTable::fillDown() {
     if (!hasCell(source, column)) continue;
     filled = withValue(*filled.scene, rows, column, exactCellText(source, column));
   }
-  take(std::move(filled), tr("filling down"));
+  take(std::move(filled), [] { return tr("filling down"); });
 }
 
 void WeightsTable::showSelected(int weight) {

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "ui/panels/weight_columns.h"
+#include "ui/control/words.h"
 #include "ui/panels/weights_clipboard.h"
 
 class QAction;
@@ -62,9 +63,9 @@ class WeightsTable : public QWidget {
   std::vector<int> selectedRows() const;
   ColumnStretch selectedColumns() const;
   void enter(const QModelIndex& index, const QString& text);
-  bool take(PastedScene pasted, const QString& words);
+  bool take(PastedScene pasted, const Words& words);
   void pasteAt(const PastePlace& place);
-  void append(std::vector<core::Weight> weights, const QString& words);
+  void append(std::vector<core::Weight> weights, const Words& words);
   void showSelected(int weight);
   void offerWhatCanBeDone();
 

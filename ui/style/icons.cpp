@@ -14,6 +14,18 @@ namespace {
 // What the icon files are drawn in.
 const QByteArray kDrawnColor = "#000000";
 
+void drawSvg(QPainter& painter, const QByteArray& svg, const QRectF& place, const QColor& color) {
+  QSvgRenderer renderer(QByteArray(svg).replace(kDrawnColor, color.name().toLatin1()));
+  renderer.render(&painter, place);
+}
+
+QByteArray svgOf(const QString& name) {
+  QFile file(":/icons/" + name + ".svg");
+  const bool opened = file.open(QIODevice::ReadOnly);
+  Q_ASSERT_X(opened, "icon", qPrintable(name));
+  return opened ? file.readAll() : QByteArray();
+}
+
 QColor colorFor(QIcon::Mode mode) {
   const QPalette palette = QApplication::palette();
   if (mode == QIcon::Disabled) return palette.color(QPalette::Disabled, QPalette::ButtonText);
@@ -27,8 +39,7 @@ class TintedIcon : public QIconEngine {
   explicit TintedIcon(QByteArray svg) : m_svg(std::move(svg)) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-    QSvgRenderer renderer(QByteArray(m_svg).replace(kDrawnColor, colorFor(mode).name().toLatin1()));
-    renderer.render(painter, rect);
+    drawSvg(*painter, m_svg, rect, colorFor(mode));
   }
 
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
@@ -49,10 +60,12 @@ class TintedIcon : public QIconEngine {
 }  // namespace
 
 QIcon icon(const QString& name) {
-  QFile file(":/icons/" + name + ".svg");
-  const bool opened = file.open(QIODevice::ReadOnly);
-  Q_ASSERT_X(opened, "icon", qPrintable(name));
-  return opened ? QIcon(new TintedIcon(file.readAll())) : QIcon();
+  const QByteArray svg = svgOf(name);
+  return svg.isEmpty() ? QIcon() : QIcon(new TintedIcon(svg));
+}
+
+void drawIcon(QPainter& painter, const QString& name, const QRectF& place, const QColor& color) {
+  drawSvg(painter, svgOf(name), place, color);
 }
 
 }  // namespace ui

@@ -21,7 +21,7 @@ double distance(QPointF a, QPointF b) {
 
 /// From the pixel to the edge of the disc as it is drawn; 0 inside [px].
 double distanceToEdge(QPointF center, double radius, QPointF pixel) {
-  return std::max(distance(center, pixel) - std::max(radius, kLeastRadius), 0.0);
+  return std::max(distance(center, pixel) - radius, 0.0);
 }
 
 /// Unit vector the weight sets out along, or could.
@@ -38,9 +38,10 @@ std::optional<int> weightNear(const ShownScene& shown, const Camera& camera, QPo
   std::optional<int> nearest;
   // Of weights under the pointer the smallest counts, for it can be hidden by the others.
   std::array<double, 3> least{kPickReach, 0, 0};
+  const double leastDrawn = leastRadius(shown);
   for (const ShownRun& run : shown.runs) {
     for (std::size_t i = 0; i < run.weights.size(); ++i) {
-      const double radius = shown.scene.weights[i].radius * camera.scale();
+      const double radius = std::max(shown.scene.weights[i].radius * camera.scale(), leastDrawn);
       const QPointF center = camera.toPixels(run.weights[i].position);
       const std::array<double, 3> rank{distanceToEdge(center, radius, pixel), radius,
                                        distance(center, pixel)};
@@ -53,7 +54,8 @@ std::optional<int> weightNear(const ShownScene& shown, const Camera& camera, QPo
 }
 
 bool isNear(const Eigen::Vector2d& place, double radius, const Camera& camera, QPointF pixel) {
-  return distanceToEdge(camera.toPixels(place), radius * camera.scale(), pixel) <= kPickReach;
+  const double drawn = std::max(radius * camera.scale(), kLeastRadius);
+  return distanceToEdge(camera.toPixels(place), drawn, pixel) <= kPickReach;
 }
 
 QPointF velocityGrip(const core::Weight& weight, const ArrowScales& scales, const Camera& camera) {

@@ -9,9 +9,9 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
+#include "ui/files/output_file.h"
 #include "ui/view/camera.h"
 #include "ui/view/qpainter_renderer.h"
 #include "ui/view/scene_drawing.h"
@@ -115,14 +115,6 @@ QByteArray pdfOf(const Picture& picture) {
   return bytes;
 }
 
-QString save(const QString& file, const QByteArray& bytes) {
-  QSaveFile saved(file);
-  const bool written =
-      saved.open(QIODevice::WriteOnly) && saved.write(bytes) == bytes.size() && saved.commit();
-  return written ? QString()
-                 : ScenePicture::tr("%1: cannot be written: %2").arg(file, saved.errorString());
-}
-
 }  // namespace
 
 QString writeScenePicture(const QString& file, const std::vector<const core::Run*>& runs,
@@ -137,10 +129,10 @@ QString writeScenePicture(const QString& file, const std::vector<const core::Run
     return pictureOf(shown, pictured.trails ? *pictured.trails : Trails(), size, devicePixelRatio);
   };
   const QString ending = QFileInfo(file).suffix().toLower();
-  if (ending == QLatin1String("png")) return save(file, pngOf(picture(kPngScale)));
-  if (ending == QLatin1String("svg")) return save(file, svgOf(picture(1)));
-  if (ending == QLatin1String("pdf")) return save(file, pdfOf(picture(1)));
-  return ScenePicture::tr("%1: a picture's name must end in .png, .svg or .pdf").arg(file);
+  if (ending == QLatin1String("png")) return writeWhole(file, pngOf(picture(kPngScale)));
+  if (ending == QLatin1String("svg")) return writeWhole(file, svgOf(picture(1)));
+  if (ending == QLatin1String("pdf")) return writeWhole(file, pdfOf(picture(1)));
+  return ScenePicture::tr("a picture's name must end in .png, .svg or .pdf");
 }
 
 }  // namespace ui

@@ -33,7 +33,7 @@ struct PicturedMarks {
 /// @param runs    of one scene, the first filled, the others as outlines
 /// @param time    [s], inside the latest step of every run
 /// @param size    of the picture in px at 96 dpi; PNG is written at twice that
-/// @return        empty, or what went wrong in words
+/// @return        empty, or what went wrong in words, without the file's name
 QString writeScenePicture(const QString& file, const std::vector<const core::Run*>& runs,
                           double time, QSize size = kScenePictureSize,
                           const PicturedMarks& pictured = {});

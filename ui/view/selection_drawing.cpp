@@ -1,6 +1,8 @@
 #include "ui/view/selection_drawing.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "ui/view/camera.h"
 #include "ui/view/drawing.h"
@@ -45,31 +47,73 @@ void addRejected(const core::Weight& weight, double radius, const Theme& theme, 
   layer.discs.push_back({place, radius, 3, 2.5, withOpacity(theme.drift, 0.25), theme.drift.rgb()});
 }
 
-/// Where words stand beside a disc.
+/// A disc that words stand beside.
 struct WordsPlace {
-  Eigen::Vector2d center;  ///< of the disc [m]
-  double radius;           ///< [m]
-  bool isLeft;             ///< of it, if there is room
+  QPointF middle;  ///< [px]
+  double reach;    ///< how far from there words begin [px]
+  bool isLeft;     ///< of it, if there is room
 };
 
-void addWords(const QStringList& words, const WordsPlace& place, const Camera& camera,
-              const SceneLook& look, Drawing& drawing) {
+/// Where a box of words can stand, the best place first.
+std::vector<QRectF> placesFor(QSizeF box, const WordsPlace& place) {
+  const QPointF middle = place.middle;
+  const double left = middle.x() - place.reach - box.width(), right = middle.x() + place.reach;
+  const double first = place.isLeft ? left : right, second = place.isLeft ? right : left;
+  const double centered = middle.x() - box.width() / 2;
+  // Below, because the rope is above.
+  const double below = middle.y() + place.reach / 2, farBelow = middle.y() + place.reach;
+  const double above = middle.y() - place.reach - box.height();
+  std::vector<QRectF> boxes;
+  for (const QPointF corner :
+       {QPointF(first, below), QPointF(second, below), QPointF(centered, farBelow),
+        QPointF(first, farBelow + box.height()), QPointF(second, farBelow + box.height()),
+        QPointF(first, above), QPointF(second, above)})
+    boxes.emplace_back(corner, box);
+  return boxes;
+}
+
+/// How many weights of the first run such a box would cover.
+std::size_t coveredBy(const QRectF& box, const ShownScene& shown, const Camera& camera) {
+  const double least = leastRadius(shown);
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < shown.runs[0].weights.size(); ++i) {
+    const double radius = std::max(shown.scene.weights[i].radius * camera.scale(), least);
+    const QPointF middle = camera.toPixels(shown.runs[0].weights[i].position);
+    const QRectF reached = box.adjusted(-radius, -radius, radius, radius);
+    covered += reached.contains(middle) ? 1 : 0;
+  }
+  return covered;
+}
+
+/// The best place inside the picture. Where weights stand still it is one that covers the fewest of
+/// them; beside weights that move it would jump about.
+QPointF cornerOf(QSizeF box, const WordsPlace& place, const ShownScene& shown,
+                 const Camera& camera) {
+  const std::vector<QRectF> boxes = placesFor(box, place);
+  const QRectF picture(QPointF(0, 0), camera.viewport());
+  const bool standsStill = shown.marks.selection->isMovable;
+  QPointF best = boxes.front().topLeft();
+  std::size_t least = SIZE_MAX;
+  for (const QRectF& candidate : boxes) {
+    if (!picture.contains(candidate)) continue;
+    const std::size_t covered = standsStill ? coveredBy(candidate, shown, camera) : 0;
+    if (covered >= least) continue;
+    least = covered;
+    best = candidate.topLeft();
+  }
+  return best;
+}
+
+void addWords(const QStringList& words, const WordsPlace& place, const ShownScene& shown,
+              const Camera& camera, const SceneLook& look, Drawing& drawing) {
   double width = 0;
   for (const QString& line : words) width = std::max(width, widthOf(line, look.font));
-  const double reach = place.radius * camera.scale() + kRingMargin + kWordsGap;
   const double height = static_cast<double>(words.size()) * lineHeight(look.font);
-  const QPointF middle = camera.toPixels(place.center);
-  const bool fitsLeft = middle.x() - reach - width >= kWordsGap;
-  const bool fitsRight = middle.x() + reach + width + kWordsGap <= camera.viewport().width();
-  const bool isLeft = fitsLeft && (place.isLeft || !fitsRight);
-  const double left = isLeft ? middle.x() - reach - width : middle.x() + reach;
-  // Below, because the rope is above.
-  double top = middle.y() + reach / 2;
-  if (top + height > camera.viewport().height()) top = middle.y() - reach - height;
+  QPointF corner = cornerOf({width, height}, place, shown, camera);
   for (const QString& line : words) {
-    drawing.texts.push_back({camera.toMetres({left, top}), QPointF(0, 0), line, look.font,
+    drawing.texts.push_back({camera.toMetres(corner), QPointF(0, 0), line, look.font,
                              look.theme.text.rgb(), withOpacity(look.theme.room, 0.85)});
-    top += lineHeight(look.font);
+    corner.ry() += lineHeight(look.font);
   }
 }
 
@@ -80,7 +124,7 @@ void drawSelection(const ShownScene& shown, const Camera& camera, const SceneLoo
   const std::optional<ShownSelection>& selection = shown.marks.selection;
   if (!selection || shown.runs.empty()) return;
   const auto index = static_cast<std::size_t>(selection->weight);
-  const double least = kLeastRadius / camera.scale();
+  const double least = leastRadius(shown) / camera.scale();
   Layer& layer = drawing.layers[kFrontLayer];
   // A weight of a draft that cannot run may be in no run.
   const bool isInRuns = index < shown.runs[0].weights.size();
@@ -98,7 +142,9 @@ void drawSelection(const ShownScene& shown, const Camera& camera, const SceneLoo
       selection->rejected ? core::startPosition(weight) : shown.runs[0].weights[index].position;
   const QPointF grip = velocityGrip(weight, shown.marks.arrows.scales, camera);
   const bool gripIsRight = selection->isMovable && grip.x() > camera.toPixels(center).x();
-  addWords(selection->words, {center, radius, gripIsRight}, camera, look, drawing);
+  const double reach = radius * camera.scale() + kRingMargin + kWordsGap;
+  addWords(selection->words, {camera.toPixels(center), reach, gripIsRight}, shown, camera, look,
+           drawing);
 }
 
 }  // namespace ui

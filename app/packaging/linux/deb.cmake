@@ -9,6 +9,8 @@ set(CPACK_DEBIAN_PACKAGE_SECTION education)
 # The libraries it is linked with, and their versions, are found by dpkg-shlibdeps. Qt's
 # plugins for screen and pictures are in the packages of those libraries.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Qt's own texts; without them they are English.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS qt6-translations-l10n)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Weights hang on ropes and swing. All ropes are cut. The weights fly, bounce,

@@ -1,8 +1,10 @@
 #include "tests/bench/peers/discs.h"
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/run/run.h"
+#include "tests/support/heap.h"
 
 namespace bench {
 namespace {
@@ -58,25 +60,10 @@ std::vector<Engine> crowdEngines() {
 }
 
 double largestOverlap(const core::Scene& scene, const DiscWorld& world) {
-  struct Disc {
-    Eigen::Vector2d center;
-    double radius;
-  };
-  std::vector<Disc> discs;
-  double widest = 0;
-  for (std::size_t i = 0; i < scene.weights.size(); ++i) {
+  std::vector<tests::PlacedDisc> discs;
+  for (std::size_t i = 0; i < scene.weights.size(); ++i)
     discs.push_back({world.position(static_cast<int>(i)), scene.weights[i].radius});
-    widest = std::max(widest, discs.back().radius);
-  }
-  std::ranges::sort(discs, {}, [](const Disc& disc) { return disc.center.y(); });
-  double largest = 0;
-  for (std::size_t i = 0; i < discs.size(); ++i)
-    for (std::size_t j = i + 1; j < discs.size(); ++j) {
-      const Eigen::Vector2d apart = discs[j].center - discs[i].center;
-      if (apart.y() >= discs[i].radius + widest) break;
-      largest = std::max(largest, discs[i].radius + discs[j].radius - apart.norm());
-    }
-  return largest;
+  return tests::largestOverlap(std::move(discs));
 }
 
 double kineticEnergy(const core::Scene& scene, const DiscWorld& world) {

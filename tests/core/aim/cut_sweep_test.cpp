@@ -6,6 +6,8 @@
 
 #include <QtTest>
 
+#include "tests/support/landings.h"
+
 using core::CutSweep;
 using core::FirstHit;
 using core::Hit;
@@ -158,10 +160,8 @@ void CutSweepTest::findsEveryMomentThatHitsTheCenter() {
   }
   // Each of them really hits: cut then, a run from the start lands there.
   for (const double time : centers) {
-    core::LandingFinder finder(pendulum(), kExact, 0, 5);
-    core::WorkMeter meter(1, {});
-    finder.hangUntil(time, meter);
-    QVERIFY(std::abs(finder.landing(time, meter)->place - landingPlace(angle)) < 1e-9);
+    const core::LandingFinder finder = tests::finderFor(pendulum(), kExact, 0, time, 5);
+    QVERIFY(std::abs(tests::landingIn(finder, time).place - landingPlace(angle)) < 1e-9);
   }
 }
 
@@ -292,11 +292,7 @@ void CutSweepTest::saysThatNothingHits() {
 }
 
 void CutSweepTest::endsWithAHangingRunThatCannotGoOn() {
-  core::Scene scene = pendulum();
-  scene.airDensity = 2000;
-  scene.weights[0].mass = 1e-6;
-  scene.weights[0].radius = 0.4;
-  scene.weights[0].rope->angularVelocity = 100;
+  const core::Scene scene = tests::beyondNumbers(pendulum());
   const CutSweep sweep = computed(scene, {.method = "euler", .step = 0.1}, 5);
   QVERIFY(!sweep.landings().empty());
   QVERIFY(sweep.landings().back().cutTime < 1);

@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include "tests/support/landings.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/reference_case.h"
 
@@ -12,6 +13,7 @@ using core::FirstHit;
 using core::Landing;
 using core::LandingFinder;
 using core::LandingOutcome;
+using tests::landingIn;
 
 namespace {
 
@@ -32,17 +34,9 @@ std::optional<core::Event> landingOf(core::Scene scene, const core::Solver& solv
   return std::nullopt;
 }
 
-Landing landingIn(const LandingFinder& finder, double cutTime) {
-  core::WorkMeter meter(1, {});
-  return *finder.landing(cutTime, meter);
-}
-
 LandingFinder finderFor(const core::Scene& scene, const core::Solver& solver, int weight,
                         double until) {
-  LandingFinder finder(scene, solver, weight, kWait);
-  core::WorkMeter meter(1, {});
-  finder.hangUntil(until, meter);
-  return finder;
+  return tests::finderFor(scene, solver, weight, until, kWait);
 }
 
 core::Scene hangingStill() {
@@ -158,11 +152,7 @@ void LandingFinderTest::aWeightOnTheFloorHasLanded() {
 }
 
 void LandingFinderTest::endsWhereTheRunCannotGoOn() {
-  core::Scene scene = hangingStill();
-  scene.airDensity = 2000;
-  scene.weights[0].mass = 1e-6;
-  scene.weights[0].radius = 0.4;
-  scene.weights[0].rope->angularVelocity = 100;
+  const core::Scene scene = tests::beyondNumbers(hangingStill());
   const LandingFinder finder = finderFor(scene, {.method = "euler", .step = 0.1}, 0, 5);
   QVERIFY(finder.hungUntil() < 5);
 }

@@ -12,23 +12,20 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
+#include "tests/support/file_content.h"
 #include "tests/ui/chart/sample_ledgers.h"
 #include "ui/style/theme.h"
 
 using core::Ledger;
+using tests::contentOf;
 
 namespace {
 
 const ui::ChartCaption kCaption = {"Seven weights", "Air at 1.2 kg/m³"};
 
-QByteArray contentsOf(const QString& file) {
-  QFile source(file);
-  return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
-}
-
 QStringList textsIn(const QString& svgFile) {
   QStringList texts;
-  QXmlStreamReader reader(contentsOf(svgFile));
+  QXmlStreamReader reader(contentOf(svgFile));
   while (!reader.atEnd()) {
     reader.readNext();
     if (reader.isStartElement() && reader.name() == QStringLiteral("text")) {
@@ -119,7 +116,7 @@ void ChartExportTest::writesSvgWithItsTexts() {
                            "drift 0 J (0 %)", "Time (s)", "Energy (J)"}) {
     QVERIFY2(texts.contains(QString::fromUtf8(text)), qPrintable(texts.join('|')));
   }
-  const QByteArray svg = contentsOf(path("chart.svg"));
+  const QByteArray svg = contentOf(path("chart.svg"));
   QVERIFY(svg.contains("<title>Seven weights</title>"));
   QVERIFY(svg.count("<polyline") < 100);  // ticks and grid; each curve is one path
   QVERIFY(svg.contains("width=\"160.02mm\" height=\"100.076mm\""));
@@ -142,7 +139,7 @@ void ChartExportTest::drawsInsideTheSvgOnly() {
 
 void ChartExportTest::writesPdfInTheSizeOfTheChart() {
   QCOMPARE(write("chart.pdf"), QString());
-  const QByteArray pdf = contentsOf(path("chart.pdf"));
+  const QByteArray pdf = contentOf(path("chart.pdf"));
 
   QVERIFY(pdf.startsWith("%PDF-1."));
   QVERIFY(pdf.trimmed().endsWith("%%EOF"));
@@ -186,7 +183,7 @@ void ChartExportTest::refusesInWords_data() {
 void ChartExportTest::refusesInWords() {
   QFETCH(QString, name);
   QFETCH(QString, reason);
-  QCOMPARE(write(name), QString("Cannot write %1: %2").arg(path(name), reason));
+  QCOMPARE(write(name), reason);
   QVERIFY(!QFile::exists(path(name)));
 }
 
@@ -198,7 +195,7 @@ void ChartExportTest::keepsTheOldFileWhenWritingFails() {
   kept.close();
   const QStringList before = QDir(m_folder.path()).entryList();
 
-  QVERIFY(write("taken.pdf").startsWith("Cannot write "));
+  QVERIFY(!write("taken.pdf").isEmpty());
   QVERIFY(kept.exists());
   QCOMPARE(QDir(m_folder.path()).entryList(), before);
 }
@@ -207,7 +204,7 @@ void ChartExportTest::writesRunsWithoutSamples() {
   const Ledger empty;
   for (const char* name : {"empty.png", "empty.svg", "empty.pdf"}) {
     QCOMPARE(ui::writeEnergyChart(path(name), {{&empty, "RK4"}}, {}), QString());
-    QVERIFY(!contentsOf(path(name)).isEmpty());
+    QVERIFY(!contentOf(path(name)).isEmpty());
   }
 }
 

@@ -5,10 +5,15 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/controlled_runs.h"
 #include "tests/support/fingerprint.h"
+#include "tests/support/impacts.h"
 #include "tests/support/random_scene.h"
 #include "ui/control/run_controller.h"
 
+using tests::isImpact;
+using tests::lightBallInThickAir;
+using tests::ticking;
 using ui::RunController;
 
 namespace {
@@ -24,25 +29,6 @@ std::shared_ptr<core::Scene> fourRuns() {
                     {.method = "dopri5", .step = 0.007},
                     {.method = "semi-implicit-euler", .step = 0.1}};
   return scene;
-}
-
-/// A light ball shot into thick air: Euler diverges, Runge–Kutta does not.
-std::shared_ptr<core::Scene> thickAir() {
-  auto scene = std::make_shared<core::Scene>();
-  scene->airDensity = 30;
-  scene->room.width = 1000;
-  core::Weight ball;
-  ball.mass = 1e-3;
-  ball.position = {1, 1};
-  ball.velocity = {100, 0};
-  scene->weights = {ball};
-  scene->solvers = {{.method = "euler", .step = 0.05}, {.method = "rk4", .step = 1e-3}};
-  return scene;
-}
-
-/// A stopwatch on which every look takes this long [s].
-RunController::Stopwatch ticking(double perLook) {
-  return [perLook, now = 0.0]() mutable { return now += perLook; };
 }
 
 /// Everything that can be seen of all runs at the moment shown.
@@ -62,14 +48,8 @@ Bits shown(const RunController& controller) {
 /// The same, how the runs stand after their latest steps, and all that is recorded.
 Bits everything(const RunController& controller) {
   Bits bits = shown(controller);
-  for (int i = 0; i < controller.runCount(); ++i) {
-    const Bits latest = tests::fingerprint(controller.run(i));
-    bits.insert(bits.end(), latest.begin(), latest.end());
-    for (const core::EnergySample& sample : controller.recording(i).ledger().samples())
-      bits.insert(bits.end(), {sample.time, sample.energies.kinetic, sample.energies.accounted()});
-    for (const core::Event& event : controller.recording(i).eventLog().events())
-      bits.insert(bits.end(), {event.time, static_cast<double>(event.kind), event.energyLost});
-  }
+  const Bits recorded = tests::recordedBits(controller);
+  bits.insert(bits.end(), recorded.begin(), recorded.end());
   return bits;
 }
 
@@ -235,7 +215,7 @@ void GoingBackTest::keepsPlayingWhenAnotherMomentIsShown() {
 
 void GoingBackTest::aStoppedRunGoesOnAtAnEarlierMoment() {
   RunController controller(ticking(0));
-  controller.setScene(thickAir());
+  controller.setScene(lightBallInThickAir());
   playUntil(controller, 2);
   QCOMPARE(controller.run(0).status(), core::RunStatus::kDiverged);
   const double end = controller.run(0).time();
@@ -252,7 +232,7 @@ void GoingBackTest::aStoppedRunGoesOnAtAnEarlierMoment() {
 }
 
 void GoingBackTest::stoppedRunsDoNotHoldUpTheWayAhead() {
-  auto scene = thickAir();
+  auto scene = lightBallInThickAir();
   scene->solvers.push_back({.method = "euler", .step = 0.04});
   double perLook = 0;
   RunController controller([&perLook, now = 0.0]() mutable { return now += perLook; });
@@ -343,10 +323,6 @@ void GoingBackTest::computesOnToALaterMoment() {
 }
 
 void GoingBackTest::goesToTheNextWantedEvent() {
-  const auto isImpact = [](const core::Event& event) {
-    return event.kind >= core::EventKind::kImpactFloor &&
-           event.kind <= core::EventKind::kImpactWeight;
-  };
   RunController controller(ticking(0));
   controller.setScene(fourRuns());
   controller.cutAll();
@@ -355,11 +331,8 @@ void GoingBackTest::goesToTheNextWantedEvent() {
     controller.goToNext(0, isImpact, controller.time() + 60);
     found.push_back(controller.time());
   }
-  std::vector<double> impacts;
-  for (const core::Event& event : controller.recording(0).eventLog().events()) {
-    const bool isNew = impacts.empty() || event.time > impacts.back();
-    if (isImpact(event) && isNew && impacts.size() < 5) impacts.push_back(event.time);
-  }
+  std::vector<double> impacts = tests::timesOf(controller.recording(0), isImpact);
+  impacts.resize(5);
   QCOMPARE(found, impacts);
   // The same from the record, and backwards.
   controller.showTime(0);

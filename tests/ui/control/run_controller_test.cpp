@@ -6,7 +6,10 @@
 #include <QTest>
 
 #include "core/scene/arrangement.h"
+#include "tests/support/controlled_runs.h"
 
+using tests::lightBallInThickAir;
+using tests::ticking;
 using ui::RunController;
 
 namespace {
@@ -18,25 +21,6 @@ std::shared_ptr<core::Scene> swingingScene(double firstStep = 1.0 / 60,
   for (core::Weight& weight : scene.weights) weight.rope->angle = 0.5;
   scene.solvers = {{.method = "rk4", .step = firstStep}, {.method = "euler", .step = secondStep}};
   return std::make_shared<core::Scene>(scene);
-}
-
-/// A light ball shot into thick air: Euler's step is far too large for the drag, RK4's is not.
-std::shared_ptr<core::Scene> thickAir() {
-  core::Scene scene;
-  scene.airDensity = 30;
-  scene.room.width = 1000;
-  core::Weight ball;
-  ball.mass = 1e-3;
-  ball.position = {1, 1};
-  ball.velocity = {100, 0};
-  scene.weights = {ball};
-  scene.solvers = {{.method = "euler", .step = 0.05}, {.method = "rk4", .step = 1e-3}};
-  return std::make_shared<core::Scene>(scene);
-}
-
-/// A stopwatch on which every look takes this long [s].
-RunController::Stopwatch ticking(double perLook) {
-  return [perLook, now = 0.0]() mutable { return now += perLook; };
 }
 
 bool isInsideLatestStep(const core::Run& run, double time) {
@@ -249,7 +233,7 @@ void RunControllerTest::computesHalfTheTimeWhereDrawingIsSlow() {
 
 void RunControllerTest::stopsADivergedRunWhileTheOthersGoOn() {
   RunController controller(ticking(0));
-  controller.setScene(thickAir());
+  controller.setScene(lightBallInThickAir());
   QSignalSpy stopped(&controller, &RunController::runStatusChanged);
   controller.play();
   for (int frame = 0; frame < 60; ++frame) controller.passTime(0.05);
@@ -262,7 +246,7 @@ void RunControllerTest::stopsADivergedRunWhileTheOthersGoOn() {
 }
 
 void RunControllerTest::pausesWhenNoRunCanGoOn() {
-  auto scene = thickAir();
+  auto scene = lightBallInThickAir();
   scene->solvers.pop_back();
   RunController controller(ticking(0));
   controller.setScene(scene);

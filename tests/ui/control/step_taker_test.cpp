@@ -7,21 +7,20 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/controlled_runs.h"
 #include "tests/support/endless_step.h"
 #include "tests/support/fingerprint.h"
 #include "tests/support/heap.h"
 #include "tests/support/random_scene.h"
 #include "ui/control/run_controller.h"
 
+using tests::lightBallInThickAir;
+using tests::ticking;
 using ui::RunController;
 
 namespace {
 
 using Bits = std::vector<double>;
-
-double standingClock() {
-  return 0;
-}
 
 /// Six made-up weights under three methods with different steps.
 std::shared_ptr<core::Scene> threeRuns() {
@@ -30,20 +29,6 @@ std::shared_ptr<core::Scene> threeRuns() {
   scene->solvers = {{.method = "rk4", .step = 1.0 / 60},
                     {.method = "euler", .step = 1.0 / 45},
                     {.method = "dopri5", .step = 0.007}};
-  return scene;
-}
-
-/// Euler diverges within a tenth of a second, Runge–Kutta does not.
-std::shared_ptr<core::Scene> thickAir() {
-  auto scene = std::make_shared<core::Scene>();
-  scene->airDensity = 30;
-  scene->room.width = 1000;
-  core::Weight ball;
-  ball.mass = 1e-3;
-  ball.position = {1, 1};
-  ball.velocity = {100, 0};
-  scene->weights = {ball};
-  scene->solvers = {{.method = "euler", .step = 0.05}, {.method = "rk4", .step = 2e-3}};
   return scene;
 }
 
@@ -56,17 +41,13 @@ std::shared_ptr<core::Scene> heap(int count = 20) {
 /// How the runs stand, and all that is recorded.
 Bits everything(const RunController& controller) {
   Bits bits{controller.time()};
-  for (int i = 0; i < controller.runCount(); ++i) {
-    const Bits latest = tests::fingerprint(controller.run(i));
-    bits.insert(bits.end(), latest.begin(), latest.end());
-    for (int w = 0; w < controller.run(i).weightCount(); ++w) {
-      const core::WeightState weight = controller.run(i).weightAt(w, controller.time());
+  const Bits recorded = tests::recordedBits(controller);
+  bits.insert(bits.end(), recorded.begin(), recorded.end());
+  for (const core::Run* run : controller.runs()) {
+    for (int i = 0; i < run->weightCount(); ++i) {
+      const core::WeightState weight = run->weightAt(i, controller.time());
       bits.insert(bits.end(), {weight.position.x(), weight.position.y()});
     }
-    for (const core::EnergySample& sample : controller.recording(i).ledger().samples())
-      bits.insert(bits.end(), {sample.time, sample.energies.kinetic, sample.energies.accounted()});
-    for (const core::Event& event : controller.recording(i).eventLog().events())
-      bits.insert(bits.end(), {event.time, static_cast<double>(event.kind), event.energyLost});
   }
   for (int i = 1; i < controller.runCount(); ++i)
     for (const core::Separation& apart :
@@ -94,7 +75,7 @@ void playUntil(RunController& controller, double time) {
 
 /// Plays, cuts, goes back, steps, and plays on.
 Bits lesson(const std::shared_ptr<core::Scene>& scene, double patience) {
-  RunController controller(standingClock);
+  RunController controller(ticking(0));
   controller.setPatience(patience);
   controller.setScene(scene);
   // At moments inside the steps of all runs, for they are reached to within rounding.
@@ -138,7 +119,7 @@ class StepTakerTest : public QObject {
 void StepTakerTest::takesTheSameStepsInTheOtherThread_data() {
   QTest::addColumn<std::shared_ptr<core::Scene>>("scene");
   QTest::newRow("events") << threeRuns();
-  QTest::newRow("a run that stops") << thickAir();
+  QTest::newRow("a run that stops") << lightBallInThickAir();
   QTest::newRow("heap") << heap();
 }
 
@@ -160,7 +141,7 @@ void StepTakerTest::givesUpAStepThatTakesLong() {
 }
 
 void StepTakerTest::handlesEventsWhileAStepIsUnderWay() {
-  RunController controller(standingClock);
+  RunController controller(ticking(0));
   controller.setPatience(0);
   controller.setScene(tests::endlessStep());
   QSignalSpy frames(&controller, &RunController::framePassed);
@@ -183,7 +164,7 @@ void StepTakerTest::handlesEventsWhileAStepIsUnderWay() {
 }
 
 void StepTakerTest::pausesAtOnce() {
-  RunController controller(standingClock);
+  RunController controller(ticking(0));
   controller.setPatience(0);
   controller.setScene(tests::endlessStep());
   controller.play();
@@ -197,7 +178,7 @@ void StepTakerTest::pausesAtOnce() {
 }
 
 void StepTakerTest::startsAnotherSceneAtOnce() {
-  RunController controller(standingClock);
+  RunController controller(ticking(0));
   controller.setPatience(0);
   controller.setScene(tests::endlessStep());
   controller.play();
@@ -214,7 +195,7 @@ void StepTakerTest::startsAnotherSceneAtOnce() {
 void StepTakerTest::cutsAtOnce() {
   auto scene = tests::endlessStep();
   scene->weights[0].rope = core::Rope{.pivot = scene->weights[0].position, .length = 0.02};
-  RunController controller(standingClock);
+  RunController controller(ticking(0));
   controller.setPatience(0);
   controller.setScene(scene);
   controller.play();
@@ -226,7 +207,7 @@ void StepTakerTest::cutsAtOnce() {
 }
 
 void StepTakerTest::goesBackAtOnce() {
-  RunController controller(standingClock);
+  RunController controller(ticking(0));
   controller.setScene(heap());
   playUntil(controller, 0.5);
   controller.showTime(0.5);
@@ -244,7 +225,7 @@ void StepTakerTest::goesBackAtOnce() {
 }
 
 void StepTakerTest::endsWhileAStepIsUnderWay() {
-  auto controller = std::make_unique<RunController>(standingClock);
+  auto controller = std::make_unique<RunController>(ticking(0));
   controller->setPatience(0);
   controller->setScene(tests::endlessStep());
   controller->play();

@@ -8,55 +8,15 @@
 #include <QtTest>
 
 #include "core/run/run.h"
+#include "tests/support/played_lesson.h"
 #include "ui/files/scene_file.h"
 
 using core::Event;
 using core::EventKind;
 using core::Run;
+using Played = tests::PlayedLesson;
 
 namespace {
-
-/// A run of a lesson, with all that has happened in it.
-class Played {
- public:
-  explicit Played(const char* name, std::size_t solver = 0)
-      : m_scene(std::make_shared<const core::Scene>(ui::builtInScene(name))),
-        m_run(m_scene, m_scene->solvers[solver]) {}
-
-  /// Goes on, looking at each step's end.
-  template <class Look>
-  void play(double until, Look look) {
-    while (m_run.time() < until && m_run.advance() == core::RunStatus::kRunning) {
-      for (const Event& event : m_run.stepEvents()) m_events.push_back(event);
-      look(m_run);
-    }
-  }
-  void play(double until) {
-    play(until, [](const Run&) {});
-  }
-
-  const core::Scene& scene() const { return *m_scene; }
-  const Run& run() const { return m_run; }
-  const std::vector<Event>& events() const { return m_events; }
-
-  /// The first of this kind that happens to this weight; fails if there is none.
-  const Event& first(EventKind kind, int weight) const {
-    const auto found = std::ranges::find_if(
-        m_events, [&](const Event& event) { return event.kind == kind && event.weight == weight; });
-    if (found == m_events.end()) qFatal("no such event");
-    return *found;
-  }
-
-  auto count(EventKind kind) const { return std::ranges::count(m_events, kind, &Event::kind); }
-
-  /// Kinetic and potential energy now, as a share of that at the start.
-  double energyShare() const { return m_run.energies().mechanical() / m_run.startEnergy(); }
-
- private:
-  std::shared_ptr<const core::Scene> m_scene;
-  Run m_run;
-  std::vector<Event> m_events;
-};
 
 /// Largest distance of the first weight in this run from the first run, up to `until` [m].
 double farthestFromFirst(const char* name, std::size_t solver, double until) {

@@ -1,35 +1,13 @@
 #include "ui/files/output_file.h"
 
-#include <csignal>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <QtTest>
 
-namespace {
+#include "tests/support/file_content.h"
+#include "tests/support/small_disk.h"
 
-QByteArray contentOf(const QString& file) {
-  QFile input(file);
-  return input.open(QIODevice::ReadOnly) ? input.readAll() : QByteArray("cannot be read");
-}
-
-/// While it lives no file can grow beyond a size, as on a disk that is full.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t largestFile) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &m_before);
-    const struct rlimit small { largestFile, m_before.rlim_max };
-    setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallDisk() { setrlimit(RLIMIT_FSIZE, &m_before); }
-  Q_DISABLE_COPY_MOVE(SmallDisk)
-
- private:
-  struct rlimit m_before {};
-};
-
-}  // namespace
+using tests::contentOf;
 
 class OutputFileTest : public QObject {
   Q_OBJECT

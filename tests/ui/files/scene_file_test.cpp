@@ -1,13 +1,15 @@
 #include "ui/files/scene_file.h"
 
 #include <algorithm>
-#include <csignal>
 #include <numbers>
-#include <sys/resource.h>
 
 #include <QtTest>
 
 #include "core/trade/reference.h"
+#include "tests/support/file_content.h"
+#include "tests/support/small_disk.h"
+
+using tests::contentOf;
 
 namespace {
 
@@ -86,11 +88,6 @@ core::Scene crowd(int count) {
     scene.weights.push_back(weight);
   }
   return scene;
-}
-
-QByteArray contentOf(const QString& file) {
-  QFile input(file);
-  return input.open(QIODevice::ReadOnly) ? input.readAll() : QByteArray("cannot be read");
 }
 
 }  // namespace
@@ -176,13 +173,11 @@ void SceneFileTest::leavesTheOldFileWhereTheNewOneCannotBeWritten() {
   QCOMPARE(ui::writeSceneFile(file, awkwardScene()), QString());
   const QByteArray before = contentOf(file);
 
-  struct rlimit unlimited;
-  QCOMPARE(getrlimit(RLIMIT_FSIZE, &unlimited), 0);
-  const struct rlimit tiny { 4096, unlimited.rlim_max };
-  std::signal(SIGXFSZ, SIG_IGN);
-  QCOMPARE(setrlimit(RLIMIT_FSIZE, &tiny), 0);
-  const QString error = ui::writeSceneFile(file, crowd(1000));
-  QCOMPARE(setrlimit(RLIMIT_FSIZE, &unlimited), 0);
+  QString error;
+  {
+    const SmallDisk disk(4096);
+    error = ui::writeSceneFile(file, crowd(1000));
+  }
 
   QCOMPARE(error, QString("File too large"));
   QCOMPARE(contentOf(file), before);

@@ -15,6 +15,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/fields.h"
+#include "tests/support/file_content.h"
+#include "tests/support/shown_window.h"
 #include "ui/chart/cut_sweep_chart.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
@@ -26,8 +29,8 @@
 #include "ui/panels/quantity_field.h"
 #include "ui/view/scene_area.h"
 
+using tests::contentOf;
 using ui::CutWindow;
-using ui::MainWindow;
 
 namespace {
 
@@ -45,19 +48,11 @@ core::Scene twoSwings() {
   return scene;
 }
 
-QByteArray contentOf(const QString& name) {
-  QFile file(name);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 /// The real window with the one that finds moments opened by its key, and its sweep done.
 struct Opened {
   Opened() : window(twoSwings()) {
-    window.controller()->setStopwatch([] { return 0.0; });
-    window.show();
-    if (!QTest::qWaitForWindowActive(&window)) qFatal("the window is not active");
     target()->setPlace({2.2, 0.3});
-    QTest::keyClick(&window, Qt::Key_W);
+    window.press(Qt::Key_W);
     cuts = window.findChild<CutWindow*>("whenToCut");
     wait();
   }
@@ -76,17 +71,8 @@ struct Opened {
   ui::SceneTarget* target() const { return window.target()->target(); }
   QPushButton* button() const { return cuts->findChild<QPushButton*>(); }
   ui::CutSweepChart* chart() const { return cuts->findChild<ui::CutSweepChart*>(); }
-  ui::QuantityField* field(const QString& name) const {
-    for (auto* field : cuts->findChildren<ui::QuantityField*>()) {
-      if (field->spinBox()->accessibleName() == name) return field;
-    }
-    qFatal("no such field");
-  }
-  void type(const QString& name, const QString& text) const {
-    QTest::keyClick(field(name)->spinBox(), Qt::Key_A, Qt::ControlModifier);
-    QTest::keyClicks(field(name)->spinBox(), text);
-    QTest::keyClick(field(name)->spinBox(), Qt::Key_Return);
-  }
+  ui::QuantityField* field(const QString& name) const { return tests::fieldNamed(*cuts, name); }
+  void type(const QString& name, const QString& text) const { tests::enter(field(name), text); }
   QPoint pixelOf(double cutTime, double place) const {
     return chart()->plot()->toChart().map(QPointF(cutTime, place)).toPoint();
   }
@@ -96,7 +82,7 @@ struct Opened {
     return all;
   }
 
-  MainWindow window;
+  tests::ShownWindow window;
   CutWindow* cuts = nullptr;
 };
 

@@ -12,12 +12,15 @@
 
 #include "core/scene/arrangement.h"
 #include "core/trade/reference.h"
+#include "tests/support/fields.h"
 #include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
 #include "ui/panels/weights_form.h"
 
+using tests::enter;
+using tests::fieldNamed;
 using ui::QuantityField;
 
 namespace {
@@ -26,20 +29,6 @@ core::Scene threeWeights() {
   core::Scene scene = core::withWeightCount(core::Scene(), 3);
   scene.solvers = {core::Solver{.method = "rk4"}, core::Solver{.method = "euler"}};
   return scene;
-}
-
-/// The field a screen reader would announce by that name.
-QuantityField* fieldNamed(const QWidget& form, const QString& name) {
-  for (QuantityField* field : form.findChildren<QuantityField*>()) {
-    if (field->spinBox()->accessibleName() == name) return field;
-  }
-  qFatal("no field named %s", qPrintable(name));
-}
-
-void enter(QuantityField* field, const QString& text) {
-  field->spinBox()->selectAll();
-  QTest::keyClicks(field->spinBox(), text);
-  QTest::keyClick(field->spinBox(), Qt::Key_Return);
 }
 
 QString shown(const QWidget& form, const QString& name) {

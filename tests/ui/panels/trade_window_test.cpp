@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/file_content.h"
 #include "ui/chart/trade_view.h"
 #include "ui/chart/work_precision_plot.h"
 #include "ui/control/commands.h"
@@ -23,6 +24,7 @@
 #include "ui/panels/measurement_table.h"
 #include "ui/panels/stability_panel.h"
 
+using tests::contentOf;
 using ui::MainWindow;
 using ui::TradeWindow;
 
@@ -38,11 +40,6 @@ core::Scene swing() {
   scene.weights[0].rope = core::Rope{.pivot = {2, 2.5}, .length = 1, .angle = 1};
   scene.solvers = {{.method = "rk4"}, {.method = "euler"}};
   return scene;
-}
-
-QByteArray contentOf(const QString& name) {
-  QFile file(name);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 /// The real window with the trade window opened by its key.

@@ -12,6 +12,7 @@ class PickingTest : public QObject {
   void takesTheOneInFront();
   void seesTheOutlinesOfOtherRuns();
   void staysCheapInCrowds();
+  void takesSmallWeightsOfACrowdAsTheyAreDrawn();
   void velocitiesAreHeldAtTheTipOrBeside();
 };
 
@@ -48,6 +49,18 @@ void PickingTest::staysCheapInCrowds() {
   const ui::Camera camera = example::camera(shown);
   const QPointF center = camera.toPixels(shown.scene.weights[6789].position);
   QCOMPARE(ui::weightNear(shown, camera, center), 6789);
+}
+
+void PickingTest::takesSmallWeightsOfACrowdAsTheyAreDrawn() {
+  ui::ShownScene shown = example::freeWeights(501, 1e-4, 0);
+  const ui::Camera camera = example::camera(shown);
+  // All but one lie in a corner; with so many the least radius drawn is 1.5 px.
+  for (ui::ShownRun& run : shown.runs)
+    for (core::WeightState& weight : run.weights) weight.position = {0, 0};
+  const QPointF alone(camera.toPixels(Eigen::Vector2d(2, 1)));
+  for (ui::ShownRun& run : shown.runs) run.weights[7].position = camera.toMetres(alone);
+  QCOMPARE(ui::weightNear(shown, camera, alone + QPointF(0, 13.4)), 7);
+  QCOMPARE(ui::weightNear(shown, camera, alone + QPointF(0, 13.6)), std::nullopt);
 }
 
 void PickingTest::velocitiesAreHeldAtTheTipOrBeside() {
