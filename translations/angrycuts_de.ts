@@ -2577,6 +2577,30 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>Not saved</source>
         <translation>Nicht gespeichert</translation>
     </message>
+    <message>
+        <source>Guide, model or teacher&apos;s sheets</source>
+        <translation>Anleitung, Modell oder Lehrerblätter</translation>
+    </message>
+    <message>
+        <source>What this chapter has; the one chosen is shown</source>
+        <translation>Was dieses Kapitel enthält; das Gewählte wird gezeigt</translation>
+    </message>
+    <message>
+        <source>The page that is open</source>
+        <translation>Die Seite, die offen ist</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Print these pages, black on white</source>
+        <translation>Diese Seiten drucken, schwarz auf weiß</translation>
+    </message>
+    <message>
+        <source>Save these pages as a file</source>
+        <translation>Diese Seiten als Datei speichern</translation>
+    </message>
 </context>
 <context>
     <name>ui::HitTable</name>
@@ -4567,6 +4591,18 @@ in m</translation>
     <message>
         <source>Begin</source>
         <translation>Anfangen</translation>
+    </message>
+    <message>
+        <source>End the tour; the Help menu has it again</source>
+        <translation>Den Rundgang beenden; im Menü Hilfe gibt es ihn wieder</translation>
+    </message>
+    <message>
+        <source>Show the hint before</source>
+        <translation>Den vorigen Hinweis zeigen</translation>
+    </message>
+    <message>
+        <source>Go on with the tour, or end it</source>
+        <translation>Den Rundgang fortsetzen oder beenden</translation>
     </message>
 </context>
 <context>

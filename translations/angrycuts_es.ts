@@ -2578,6 +2578,30 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>Not saved</source>
         <translation>No guardado</translation>
     </message>
+    <message>
+        <source>Guide, model or teacher&apos;s sheets</source>
+        <translation>Guía, modelo u hojas del profesor</translation>
+    </message>
+    <message>
+        <source>What this chapter has; the one chosen is shown</source>
+        <translation>Qué contiene este capítulo; se muestra lo elegido</translation>
+    </message>
+    <message>
+        <source>The page that is open</source>
+        <translation>La página abierta</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Cerrar esta ventana</translation>
+    </message>
+    <message>
+        <source>Print these pages, black on white</source>
+        <translation>Imprimir estas páginas, negro sobre blanco</translation>
+    </message>
+    <message>
+        <source>Save these pages as a file</source>
+        <translation>Guardar estas páginas en un archivo</translation>
+    </message>
 </context>
 <context>
     <name>ui::HitTable</name>
@@ -4568,6 +4592,18 @@ en m</translation>
     <message>
         <source>Begin</source>
         <translation>Empezar</translation>
+    </message>
+    <message>
+        <source>End the tour; the Help menu has it again</source>
+        <translation>Terminar el recorrido; el menú Ayuda lo ofrece de nuevo</translation>
+    </message>
+    <message>
+        <source>Show the hint before</source>
+        <translation>Mostrar el consejo anterior</translation>
+    </message>
+    <message>
+        <source>Go on with the tour, or end it</source>
+        <translation>Seguir con el recorrido, o terminarlo</translation>
     </message>
 </context>
 <context>

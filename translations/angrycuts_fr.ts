@@ -2578,6 +2578,30 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>Not saved</source>
         <translation>Non enregistré</translation>
     </message>
+    <message>
+        <source>Guide, model or teacher&apos;s sheets</source>
+        <translation>Guide, modèle ou fiches du professeur</translation>
+    </message>
+    <message>
+        <source>What this chapter has; the one chosen is shown</source>
+        <translation>Ce que contient ce chapitre ; la page choisie est montrée</translation>
+    </message>
+    <message>
+        <source>The page that is open</source>
+        <translation>La page ouverte</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Fermer cette fenêtre</translation>
+    </message>
+    <message>
+        <source>Print these pages, black on white</source>
+        <translation>Imprimer ces pages, noir sur blanc</translation>
+    </message>
+    <message>
+        <source>Save these pages as a file</source>
+        <translation>Enregistrer ces pages dans un fichier</translation>
+    </message>
 </context>
 <context>
     <name>ui::HitTable</name>
@@ -4568,6 +4592,18 @@ en m</translation>
     <message>
         <source>Begin</source>
         <translation>Commencer</translation>
+    </message>
+    <message>
+        <source>End the tour; the Help menu has it again</source>
+        <translation>Finir la visite ; le menu Aide la propose à nouveau</translation>
+    </message>
+    <message>
+        <source>Show the hint before</source>
+        <translation>Montrer le conseil précédent</translation>
+    </message>
+    <message>
+        <source>Go on with the tour, or end it</source>
+        <translation>Continuer la visite, ou la finir</translation>
     </message>
 </context>
 <context>

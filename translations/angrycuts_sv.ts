@@ -2576,6 +2576,30 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>Not saved</source>
         <translation>Inte sparat</translation>
     </message>
+    <message>
+        <source>Guide, model or teacher&apos;s sheets</source>
+        <translation>Guide, modell eller lärarblad</translation>
+    </message>
+    <message>
+        <source>What this chapter has; the one chosen is shown</source>
+        <translation>Vad kapitlet innehåller; det valda visas</translation>
+    </message>
+    <message>
+        <source>The page that is open</source>
+        <translation>Sidan som är öppen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Stäng fönstret</translation>
+    </message>
+    <message>
+        <source>Print these pages, black on white</source>
+        <translation>Skriv ut sidorna, svart på vitt</translation>
+    </message>
+    <message>
+        <source>Save these pages as a file</source>
+        <translation>Spara sidorna som en fil</translation>
+    </message>
 </context>
 <context>
     <name>ui::HitTable</name>
@@ -4566,6 +4590,18 @@ i m</translation>
     <message>
         <source>Begin</source>
         <translation>Börja</translation>
+    </message>
+    <message>
+        <source>End the tour; the Help menu has it again</source>
+        <translation>Avsluta rundturen; den finns i menyn Hjälp</translation>
+    </message>
+    <message>
+        <source>Show the hint before</source>
+        <translation>Visa föregående tips</translation>
+    </message>
+    <message>
+        <source>Go on with the tour, or end it</source>
+        <translation>Fortsätt rundturen, eller avsluta den</translation>
     </message>
 </context>
 <context>
