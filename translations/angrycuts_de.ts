@@ -468,7 +468,7 @@ Stellen Sie sicher, dass der Verzeichnisname richtig ist.</translation>
     </message>
     <message>
         <source>Shift</source>
-        <translation>Umschalt</translation>
+        <translation>Umsch</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -2587,7 +2587,7 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
     <message>
         <source>The page that is open</source>
-        <translation>Die Seite, die offen ist</translation>
+        <translation>Die geöffnete Seite</translation>
     </message>
     <message>
         <source>Close this window</source>
@@ -4594,7 +4594,7 @@ in m</translation>
     </message>
     <message>
         <source>End the tour; the Help menu has it again</source>
-        <translation>Den Rundgang beenden; im Menü Hilfe gibt es ihn wieder</translation>
+        <translation>Den Rundgang beenden; das Menü „Hilfe“ hat ihn wieder</translation>
     </message>
     <message>
         <source>Show the hint before</source>

@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>File Folder</source>
-        <translation>Carpeta</translation>
+        <translation>Carpeta de archivos</translation>
     </message>
     <message>
         <source>Drive</source>
@@ -44,7 +44,7 @@
     </message>
     <message>
         <source>Step &amp;down</source>
-        <translation>Re&amp;ducir</translation>
+        <translation>&amp;Disminuir</translation>
     </message>
 </context>
 <context>
@@ -55,19 +55,19 @@
     </message>
     <message>
         <source>Directory:</source>
-        <translation>Directorio:</translation>
+        <translation>Carpeta:</translation>
     </message>
     <message>
         <source>File &amp;name:</source>
-        <translation>&amp;Nombre de fichero:</translation>
+        <translation>&amp;Nombre de archivo:</translation>
     </message>
     <message>
         <source>Files of type:</source>
-        <translation>Ficheros de tipo:</translation>
+        <translation>Tipo de archivo:</translation>
     </message>
     <message>
         <source>Find Directory</source>
-        <translation>Buscar directorio</translation>
+        <translation>Buscar carpeta</translation>
     </message>
     <message>
         <source>Back</source>
@@ -79,27 +79,27 @@
     </message>
     <message>
         <source>Forward</source>
-        <translation>Siguiente</translation>
+        <translation>Adelante</translation>
     </message>
     <message>
         <source>Go forward</source>
-        <translation>Ir hacia delante</translation>
+        <translation>Ir adelante</translation>
     </message>
     <message>
         <source>Parent Directory</source>
-        <translation>Directorio superior</translation>
+        <translation>Carpeta superior</translation>
     </message>
     <message>
         <source>Go to the parent directory</source>
-        <translation>r al directorio superior</translation>
+        <translation>Ir a la carpeta superior</translation>
     </message>
     <message>
         <source>Create New Folder</source>
-        <translation>Crear nueva carpeta</translation>
+        <translation>Crear carpeta nueva</translation>
     </message>
     <message>
         <source>Create a New Folder</source>
-        <translation>Crear una nueva carpeta</translation>
+        <translation>Crear una carpeta nueva</translation>
     </message>
     <message>
         <source>&amp;New Folder</source>
@@ -115,7 +115,7 @@
     </message>
     <message>
         <source>Change to list view mode</source>
-        <translation>Cambiar el modo de vista de la lista</translation>
+        <translation>Cambiar a la vista de lista</translation>
     </message>
     <message>
         <source>Detail View</source>
@@ -123,7 +123,7 @@
     </message>
     <message>
         <source>Change to detail view mode</source>
-        <translation>Cambiar a modo de vista detallada</translation>
+        <translation>Cambiar a la vista detallada</translation>
     </message>
     <message>
         <source>Sidebar</source>
@@ -139,7 +139,7 @@
     </message>
     <message>
         <source>Directories</source>
-        <translation>Directorios</translation>
+        <translation>Carpetas</translation>
     </message>
     <message>
         <source>Recent Places</source>
@@ -147,7 +147,7 @@
     </message>
     <message>
         <source>Remove</source>
-        <translation>Eliminar</translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>&amp;Open</source>
@@ -167,11 +167,11 @@
     </message>
     <message>
         <source>&amp;Choose</source>
-        <translation>&amp;Seleccionar</translation>
+        <translation>&amp;Elegir</translation>
     </message>
     <message>
         <source>&amp;Rename</source>
-        <translation>Cambia&amp;r de nombre</translation>
+        <translation>Cambia&amp;r nombre</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -187,11 +187,11 @@
     </message>
     <message>
         <source>Show &amp;hidden files</source>
-        <translation>Mostrar los fic&amp;heros ocultos</translation>
+        <translation>Mostrar arc&amp;hivos ocultos</translation>
     </message>
     <message>
         <source>All Files (*)</source>
-        <translation>Todos los ficheros (*)</translation>
+        <translation>Todos los archivos (*)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -200,38 +200,38 @@
     <message>
         <source>%1 already exists.
 Do you want to replace it?</source>
-        <translation>El fichero %1 ya existe.
+        <translation>%1 ya existe.
 ¿Desea reemplazarlo?</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is write protected.
 Do you want to delete it anyway?</source>
         <translation>«%1» está protegido contra escritura.
-¿Desea borrarlo de todas formas?</translation>
+¿Desea borrarlo de todos modos?</translation>
     </message>
     <message>
         <source>Are you sure you want to delete &apos;%1&apos;?</source>
-        <translation>¿Está seguro de que quiere borrar «%1»?</translation>
+        <translation>¿Seguro que desea borrar «%1»?</translation>
     </message>
     <message>
         <source>Could not delete directory.</source>
-        <translation>No fue posible borrar el directorio.</translation>
+        <translation>No se pudo borrar la carpeta.</translation>
     </message>
     <message>
         <source>%1
 File not found.
 Please verify the correct file name was given.</source>
         <translation>%1
-Fichero no encontrado.
-Verifique que el nombre del fichero es correcto.</translation>
+Archivo no encontrado.
+Compruebe el nombre del archivo.</translation>
     </message>
     <message>
         <source>%1
 Directory not found.
 Please verify the correct directory name was given.</source>
         <translation>%1
-Directorio no encontrado.
-Verifique que el nombre del directorio es correcto.</translation>
+Carpeta no encontrada.
+Compruebe el nombre de la carpeta.</translation>
     </message>
 </context>
 <context>
@@ -262,7 +262,7 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>My Computer</source>
-        <translation>Mi Equipo</translation>
+        <translation>Mi equipo</translation>
     </message>
 </context>
 <context>
@@ -281,7 +281,7 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation>&amp;Cerrar</translation>
+        <translation>C&amp;errar</translation>
     </message>
     <message>
         <source>Close without Saving</source>
@@ -323,11 +323,11 @@ Verifique que el nombre del directorio es correcto.</translation>
     <name>QMessageBox</name>
     <message>
         <source>Show Details...</source>
-        <translation>Mostrar los detalles...</translation>
+        <translation>Mostrar los detalles…</translation>
     </message>
     <message>
         <source>Hide Details...</source>
-        <translation>Ocultar los detalles...</translation>
+        <translation>Ocultar los detalles…</translation>
     </message>
 </context>
 <context>
@@ -394,11 +394,11 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation>Reinicializar</translation>
+        <translation>Restablecer</translation>
     </message>
     <message>
         <source>Restore Defaults</source>
-        <translation>Restaurar los valores predeterminados</translation>
+        <translation>Valores predeterminados</translation>
     </message>
     <message>
         <source>Help</source>
@@ -417,7 +417,7 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation>Parte superior</translation>
+        <translation>Arriba del todo</translation>
     </message>
     <message>
         <source>Right edge</source>
@@ -425,27 +425,27 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Bottom</source>
-        <translation>Parte inferior</translation>
+        <translation>Abajo del todo</translation>
     </message>
     <message>
         <source>Page left</source>
-        <translation>Una página a la izquierda</translation>
+        <translation>Página a la izquierda</translation>
     </message>
     <message>
         <source>Page up</source>
-        <translation>Una página hacia arriba</translation>
+        <translation>Página anterior</translation>
     </message>
     <message>
         <source>Page right</source>
-        <translation>Una página a la derecha</translation>
+        <translation>Página a la derecha</translation>
     </message>
     <message>
         <source>Page down</source>
-        <translation>Una página hacia abajo</translation>
+        <translation>Página siguiente</translation>
     </message>
     <message>
         <source>Scroll left</source>
-        <translation>Desplazar hacia la izquierda</translation>
+        <translation>Desplazar a la izquierda</translation>
     </message>
     <message>
         <source>Scroll up</source>
@@ -453,7 +453,7 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Scroll right</source>
-        <translation>Desplazar hacia la derecha</translation>
+        <translation>Desplazar a la derecha</translation>
     </message>
     <message>
         <source>Scroll down</source>
@@ -464,11 +464,11 @@ Verifique que el nombre del directorio es correcto.</translation>
     <name>QShortcut</name>
     <message>
         <source>Ctrl</source>
-        <translation>Control</translation>
+        <translation>Ctrl</translation>
     </message>
     <message>
         <source>Shift</source>
-        <translation>Mayúsculas</translation>
+        <translation>Mayús</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -480,19 +480,19 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation>Izquierda</translation>
+        <translation>←</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation>Derecha</translation>
+        <translation>→</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation>Arriba</translation>
+        <translation>↑</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation>Abajo</translation>
+        <translation>↓</translation>
     </message>
     <message>
         <source>Home</source>
@@ -504,11 +504,11 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>PgUp</source>
-        <translation>Re Pág</translation>
+        <translation>RePág</translation>
     </message>
     <message>
         <source>PgDown</source>
-        <translation>Av Pág</translation>
+        <translation>AvPág</translation>
     </message>
     <message>
         <source>Page Up</source>
@@ -520,7 +520,7 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Esc</source>
-        <translation>Escape</translation>
+        <translation>Esc</translation>
     </message>
     <message>
         <source>Escape</source>
@@ -528,7 +528,7 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Ins</source>
-        <translation>Insertar</translation>
+        <translation>Insert</translation>
     </message>
     <message>
         <source>Insert</source>
@@ -536,23 +536,23 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Del</source>
-        <translation>Suprimir</translation>
+        <translation>Supr</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation>Borrar</translation>
+        <translation>Suprimir</translation>
     </message>
     <message>
         <source>Tab</source>
-        <translation>Tabulador</translation>
+        <translation>Tab</translation>
     </message>
     <message>
         <source>Backtab</source>
-        <translation>Tabulador hacia atrás</translation>
+        <translation>Mayús+Tab</translation>
     </message>
     <message>
         <source>Return</source>
-        <translation>Retorno</translation>
+        <translation>Intro</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -560,22 +560,22 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Backspace</source>
-        <translation>Borrar</translation>
+        <translation>Retroceso</translation>
     </message>
     <message>
         <source>Media Play</source>
-        <translation>Reproducir el medio</translation>
+        <translation>Reproducir</translation>
     </message>
 </context>
 <context>
     <name>QTabBar</name>
     <message>
         <source>Scroll Left</source>
-        <translation>Desplazar hacia la izquierda</translation>
+        <translation>Desplazar a la izquierda</translation>
     </message>
     <message>
         <source>Scroll Right</source>
-        <translation>Desplazar hacia la derecha</translation>
+        <translation>Desplazar a la derecha</translation>
     </message>
 </context>
 <context>
@@ -598,7 +598,7 @@ Verifique que el nombre del directorio es correcto.</translation>
     </message>
     <message>
         <source>Copy &amp;Link Location</source>
-        <translation>Copiar la ubicación del en&amp;lace</translation>
+        <translation>Copiar la dirección del en&amp;lace</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
@@ -915,7 +915,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>no display answers (%1)</source>
-        <translation>ninguna pantalla responde (%1)</translation>
+        <translation>no responde ninguna pantalla (%1)</translation>
     </message>
 </context>
 <context>
@@ -1811,7 +1811,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>&amp;Teacher&apos;s sheet</source>
-        <translation>Hoja del &amp;profesor</translation>
+        <translation>&amp;Hoja del profesor</translation>
     </message>
     <message>
         <source>Sheet</source>
@@ -1819,7 +1819,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
-        <translation>Objetivo, pasos, preguntas y cifras esperadas de esta lección, para imprimir</translation>
+        <translation>Objetivo, pasos, preguntas y valores esperados de esta lección, para imprimir</translation>
     </message>
     <message>
         <source>Quick &amp;guide</source>
@@ -1827,7 +1827,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Explain the window in a few pages</source>
-        <translation>Explicar la ventana en pocas páginas</translation>
+        <translation>Explicar la ventana en unas pocas páginas</translation>
     </message>
     <message>
         <source>The &amp;model</source>
@@ -1890,7 +1890,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Largest distance between the same weight in both runs, now: max |p − p&apos;|, in m</source>
-        <translation>Mayor distancia entre la misma pesa de ambas simulaciones, ahora: max |p − p&apos;|, en m</translation>
+        <translation>Mayor distancia entre la misma pesa de ambas simulaciones, ahora: max |p − p’|, en m</translation>
     </message>
     <message>
         <source>Energy the method got wrong so far, in J: kinetic + potential + losses − energy at the start</source>
@@ -2294,15 +2294,15 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Speed |v| right before, in m/s. Of the weight; where two meet, of the first named</source>
-        <translation>Rapidez |v| justo antes, en m/s. De la pesa; donde se encuentran dos, de la primera nombrada</translation>
+        <translation>Velocidad |v| justo antes, en m/s. De la pesa; si chocan dos, de la primera nombrada</translation>
     </message>
     <message>
         <source>Speed |v| right after, in m/s. Of the weight; where two meet, of the first named</source>
-        <translation>Rapidez |v| justo después, en m/s. De la pesa; donde se encuentran dos, de la primera nombrada</translation>
+        <translation>Velocidad |v| justo después, en m/s. De la pesa; si chocan dos, de la primera nombrada</translation>
     </message>
     <message>
         <source>Kinetic energy turned into heat by the event, in J. Between two weights ½ (1 − e²) μ v², with the speed v towards each other and 1/μ = 1/m₁ + 1/m₂</source>
-        <translation>Energía cinética que el evento convierte en calor, en J. Entre dos pesas ½ (1 − e²) μ v², con la rapidez v de la una hacia la otra y 1/μ = 1/m₁ + 1/m₂</translation>
+        <translation>Energía cinética que el evento convierte en calor, en J. Entre dos pesas ½ (1 − e²) μ v², con la velocidad de acercamiento v y 1/μ = 1/m₁ + 1/m₂</translation>
     </message>
 </context>
 <context>
@@ -2388,7 +2388,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Kinds of events</source>
-        <translation>Tipos de eventos</translation>
+        <translation>Tipos de eventos que se muestran</translation>
     </message>
     <message>
         <source>Weight whose events are listed</source>
@@ -2428,7 +2428,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Kinds of events that are listed</source>
-        <translation>Clases de eventos que se listan</translation>
+        <translation>Tipos de eventos que se muestran</translation>
     </message>
 </context>
 <context>
@@ -2584,7 +2584,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>What this chapter has; the one chosen is shown</source>
-        <translation>Qué contiene este capítulo; se muestra lo elegido</translation>
+        <translation>Lo que contiene este capítulo; se muestra lo elegido</translation>
     </message>
     <message>
         <source>The page that is open</source>
@@ -2596,7 +2596,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Print these pages, black on white</source>
-        <translation>Imprimir estas páginas, negro sobre blanco</translation>
+        <translation>Imprimir estas páginas, en negro sobre blanco</translation>
     </message>
     <message>
         <source>Save these pages as a file</source>
@@ -3725,11 +3725,11 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
-        <translation>Paso h en s: cuánto tiempo simulado avanza el método de una vez. Los pasos menores son más exactos y cuestan más.</translation>
+        <translation>Paso h en s: cuánto tiempo simulado avanza el método de una vez. Un paso menor es más exacto y cuesta más.</translation>
     </message>
     <message>
         <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
-        <translation>Tolerancia, sin unidad: el error que el método se permite en un paso, en m, m/s, rad y rad/s. Elige sus pasos según ella.</translation>
+        <translation>Tolerancia, sin unidad: el error que el método se permite en un paso, en m, m/s, rad y rad/s. Elige sus pasos en consecuencia.</translation>
     </message>
     <message>
         <source>Compute the scene with this method, too</source>
@@ -3740,11 +3740,11 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <name>ui::SceneAnnouncer</name>
     <message>
         <source>No weight selected</source>
-        <translation>Ninguna pesa elegida</translation>
+        <translation>Ninguna pesa seleccionada</translation>
     </message>
     <message>
         <source>Weight %1 selected</source>
-        <translation>Pesa %1 elegida</translation>
+        <translation>Pesa %1 seleccionada</translation>
     </message>
     <message>
         <source>%1: weight %2, at %3 s</source>
@@ -3941,11 +3941,11 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
-        <translation>Aceleración de la gravedad g, en m/s². Tira de cada pesa hacia abajo con la fuerza m g. En la Tierra 9,81 m/s².</translation>
+        <translation>Aceleración de la caída libre g, en m/s². Tira de cada pesa hacia abajo con la fuerza m g. En la Tierra 9,81 m/s².</translation>
     </message>
     <message>
         <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
-        <translation>Densidad del aire ρ, en kg/m³. El arrastre es F = ½ ρ c_d A v² contra la velocidad, con A = π r². 1,2 kg/m³ al nivel del mar, 0 para el vacío.</translation>
+        <translation>Densidad del aire ρ, en kg/m³. La resistencia es F = ½ ρ c_d A v², opuesta a la velocidad, con A = π r². 1,2 kg/m³ al nivel del mar, 0 en el vacío.</translation>
     </message>
     <message>
         <source>Distance between the walls, in m.</source>
@@ -3957,15 +3957,15 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
-        <translation>Parte e de la rapidez hacia una pared, el suelo o el techo con la que una pesa sale: 1 no pierde nada, 0 no rebota.</translation>
+        <translation>Parte e de la velocidad hacia una pared, el suelo o el techo con la que una pesa sale de ellos: 1 no pierde nada, 0 no rebota.</translation>
     </message>
     <message>
         <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
-        <translation>Coeficiente de rozamiento μ de paredes, suelo y techo. El rozamiento es como mucho μ veces la fuerza, o el impulso, que aprieta la pesa contra ellos.</translation>
+        <translation>Coeficiente de rozamiento μ de las paredes, el suelo y el techo. El rozamiento vale como máximo μ veces la fuerza, o el impulso, que aprieta la pesa contra ellos.</translation>
     </message>
     <message>
         <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
-        <translation>Parte e de la rapidez de acercamiento con la que dos pesas se separan tras un choque: 1 no pierde nada, 0 no rebota.</translation>
+        <translation>Parte e de la velocidad de acercamiento con la que dos pesas se separan tras un choque: 1 no pierde nada, 0 no rebota.</translation>
     </message>
     <message>
         <source>Simulated time in s at which all ropes are cut.</source>
@@ -4143,7 +4143,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>The room with its weights and ropes. A click selects a weight, the wheel zooms, dragging moves the view.</source>
-        <translation>La sala con sus pesas y cuerdas. Un clic elige una pesa, la rueda amplía, arrastrar mueve la vista.</translation>
+        <translation>La sala con sus pesas y cuerdas. Un clic selecciona una pesa, la rueda amplía, arrastrar mueve la vista.</translation>
     </message>
 </context>
 <context>
@@ -4181,7 +4181,7 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
     <message>
         <source>Settings are not remembered: nothing can be written to %1</source>
-        <translation>Los ajustes no se recuerdan: no se puede escribir nada en %1</translation>
+        <translation>Los ajustes no se recuerdan: no se puede escribir en %1</translation>
     </message>
 </context>
 <context>
@@ -4424,7 +4424,7 @@ en m</translation>
     </message>
     <message>
         <source>Distance of the end from the exact one, in m: the error of this step alone</source>
-        <translation>Distancia del final al exacto, en m: el error de este paso solo</translation>
+        <translation>Distancia del final al exacto, en m: el error de este único paso</translation>
     </message>
 </context>
 <context>
@@ -4539,7 +4539,7 @@ en m</translation>
     </message>
     <message>
         <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
-        <translation>Pesas en cuerdas. Las llenas siguen el primer método, los anillos los demás. Al inicio, arrastre una pesa para girar su cuerda; la rueda amplía.</translation>
+        <translation>Pesas colgadas de cuerdas. Las llenas siguen el primer método; los anillos, los demás. Al inicio arrastre una pesa para girar su cuerda; la rueda hace zoom.</translation>
     </message>
     <message>
         <source>Play and cut</source>
@@ -4547,7 +4547,7 @@ en m</translation>
     </message>
     <message>
         <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
-        <translation>Espacio reproduce y detiene. C corta todas las cuerdas, R vuelve al inicio. A cámara lenta un choque dura segundos.</translation>
+        <translation>Espacio reproduce y para. C corta todas las cuerdas, R vuelve al inicio. La cámara lenta hace que un choque dure segundos.</translation>
     </message>
     <message>
         <source>Step by step</source>
@@ -4555,7 +4555,7 @@ en m</translation>
     </message>
     <message>
         <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
-        <translation>Las flechas → y ← avanzan un paso, I va al siguiente choque. Arrastre sobre esta línea para ver de nuevo cualquier instante.</translation>
+        <translation>Las flechas → y ← avanzan y retroceden un paso, I va al siguiente choque. Arrastre por esta línea para volver a ver cualquier instante.</translation>
     </message>
     <message>
         <source>Where the energy goes</source>
@@ -4563,15 +4563,15 @@ en m</translation>
     </message>
     <message>
         <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
-        <translation>El total debería ser una línea plana. Lo que sube o baja lo creó o perdió el método, no la naturaleza.</translation>
+        <translation>La energía total debería ser una línea plana. Lo que sube o baja lo creó o lo perdió el método, no la naturaleza.</translation>
     </message>
     <message>
         <source>Methods side by side</source>
-        <translation>Métodos lado a lado</translation>
+        <translation>Métodos en paralelo</translation>
     </message>
     <message>
         <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
-        <translation>Hasta cuatro métodos calculan la misma escena. Elíjalos aquí con sus pasos y vea quién acierta. En Lecciones, arriba a la derecha, hay escenas para empezar.</translation>
+        <translation>Hasta cuatro métodos calculan la misma escena. Elíjalos aquí con sus pasos, y vea cuál acierta. En Lecciones, arriba a la derecha, hay escenas para empezar.</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -4599,7 +4599,7 @@ en m</translation>
     </message>
     <message>
         <source>Show the hint before</source>
-        <translation>Mostrar el consejo anterior</translation>
+        <translation>Mostrar la indicación anterior</translation>
     </message>
     <message>
         <source>Go on with the tour, or end it</source>
@@ -4626,7 +4626,7 @@ en m</translation>
     </message>
     <message>
         <source>What accuracy costs, or how large steps may be</source>
-        <translation>Cuánto cuesta la exactitud, o lo grandes que pueden ser los pasos</translation>
+        <translation>Cuánto cuesta la precisión, o qué tamaño pueden tener los pasos</translation>
     </message>
 </context>
 <context>
@@ -5061,15 +5061,15 @@ en m</translation>
     </message>
     <message>
         <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Longitud de la cuerda L, en m: del punto de suspensión al centro de la pesa. Una oscilación pequeña dura T = 2π √(L/g).</translation>
+        <translation>Longitud de la cuerda L, en m: de su pivote al centro de la pesa. Una oscilación pequeña dura T = 2π √(L/g).</translation>
     </message>
     <message>
         <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Ángulo θ de la cuerda al inicio, en grados desde la vertical hacia abajo, positivo a la derecha.</translation>
+        <translation>Ángulo θ de la cuerda al inicio, en grados desde la vertical hacia abajo, positivo hacia la derecha.</translation>
     </message>
     <message>
         <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Masa m, en kg. Sin aire no importa para una oscilación; con aire, una pesa más pesada se frena menos.</translation>
+        <translation>Masa m, en kg. No importa en una oscilación sin aire; con aire, una pesa más pesada se frena menos.</translation>
     </message>
     <message>
         <source>Radius r, in m. Air meets the area A = π r².</source>
@@ -5203,7 +5203,7 @@ en m</translation>
     </message>
     <message>
         <source>One row for each weight. Return edits a cell, of all selected rows at once.</source>
-        <translation>Una fila por pesa. Intro cambia una celda, en todas las filas elegidas a la vez.</translation>
+        <translation>Una fila por pesa. Intro cambia una celda, en todas las filas seleccionadas a la vez.</translation>
     </message>
 </context>
 <context>
@@ -5274,7 +5274,7 @@ en m</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation>&amp;Idioma</translation>
+        <translation>Idi&amp;oma</translation>
     </message>
     <message>
         <source>Not applied: %1</source>

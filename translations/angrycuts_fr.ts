@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>File Folder</source>
-        <translation>Dossier</translation>
+        <translation>Dossier de fichiers</translation>
     </message>
     <message>
         <source>Drive</source>
@@ -51,23 +51,23 @@
     <name>QFileDialog</name>
     <message>
         <source>Look in:</source>
-        <translation>Voir dans :</translation>
+        <translation>Voir dans&#xa0;:</translation>
     </message>
     <message>
         <source>Directory:</source>
-        <translation>Dossier :</translation>
+        <translation>Dossier&#xa0;:</translation>
     </message>
     <message>
         <source>File &amp;name:</source>
-        <translation>&amp;Nom de fichier :</translation>
+        <translation>&amp;Nom du fichier&#xa0;:</translation>
     </message>
     <message>
         <source>Files of type:</source>
-        <translation>Fichiers de type :</translation>
+        <translation>Type de fichier&#xa0;:</translation>
     </message>
     <message>
         <source>Find Directory</source>
-        <translation>Chercher dans le dossier</translation>
+        <translation>Choisir un dossier</translation>
     </message>
     <message>
         <source>Back</source>
@@ -75,7 +75,7 @@
     </message>
     <message>
         <source>Go back</source>
-        <translation>Aller à l&apos;élément précédent</translation>
+        <translation>Revenir en arrière</translation>
     </message>
     <message>
         <source>Forward</source>
@@ -83,7 +83,7 @@
     </message>
     <message>
         <source>Go forward</source>
-        <translation>Va à l&apos;élément suivant</translation>
+        <translation>Aller en avant</translation>
     </message>
     <message>
         <source>Parent Directory</source>
@@ -91,7 +91,7 @@
     </message>
     <message>
         <source>Go to the parent directory</source>
-        <translation>Va au dossier parent</translation>
+        <translation>Aller au dossier parent</translation>
     </message>
     <message>
         <source>Create New Folder</source>
@@ -99,7 +99,7 @@
     </message>
     <message>
         <source>Create a New Folder</source>
-        <translation>Crée un nouveau dossier</translation>
+        <translation>Créer un nouveau dossier</translation>
     </message>
     <message>
         <source>&amp;New Folder</source>
@@ -115,7 +115,7 @@
     </message>
     <message>
         <source>Change to list view mode</source>
-        <translation>Affiche la vue sous forme de liste</translation>
+        <translation>Passer à la vue en liste</translation>
     </message>
     <message>
         <source>Detail View</source>
@@ -123,7 +123,7 @@
     </message>
     <message>
         <source>Change to detail view mode</source>
-        <translation>Affichage la vue sous forme détaillée</translation>
+        <translation>Passer à la vue détaillée</translation>
     </message>
     <message>
         <source>Sidebar</source>
@@ -131,7 +131,7 @@
     </message>
     <message>
         <source>List of places and bookmarks</source>
-        <translation>Liste des emplacements et des favoris</translation>
+        <translation>Liste des emplacements et des signets</translation>
     </message>
     <message>
         <source>Files</source>
@@ -147,7 +147,7 @@
     </message>
     <message>
         <source>Remove</source>
-        <translation>Supprimer</translation>
+        <translation>Retirer</translation>
     </message>
     <message>
         <source>&amp;Open</source>
@@ -200,18 +200,18 @@
     <message>
         <source>%1 already exists.
 Do you want to replace it?</source>
-        <translation>Le fichier %1 existe déjà
-Voulez-vous l&apos;écraser ?</translation>
+        <translation>%1 existe déjà.
+Voulez-vous le remplacer&#xa0;?</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is write protected.
 Do you want to delete it anyway?</source>
-        <translation>&quot;%1&quot; est protégé en écriture.
-Voulez-vous quand même le supprimer ?</translation>
+        <translation>«&#xa0;%1&#xa0;» est protégé en écriture.
+Voulez-vous quand même le supprimer&#xa0;?</translation>
     </message>
     <message>
         <source>Are you sure you want to delete &apos;%1&apos;?</source>
-        <translation>Êtes-vous sûr de vouloir supprimer &quot;%1&quot; ?</translation>
+        <translation>Voulez-vous vraiment supprimer «&#xa0;%1&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>Could not delete directory.</source>
@@ -223,7 +223,7 @@ File not found.
 Please verify the correct file name was given.</source>
         <translation>%1
 Fichier introuvable.
-Veuillez vérifier que le nom du fichier est correct.</translation>
+Veuillez vérifier le nom du fichier.</translation>
     </message>
     <message>
         <source>%1
@@ -231,7 +231,7 @@ Directory not found.
 Please verify the correct directory name was given.</source>
         <translation>%1
 Dossier introuvable.
-Veuillez vérifier que le nom du dossier est correct.</translation>
+Veuillez vérifier le nom du dossier.</translation>
     </message>
 </context>
 <context>
@@ -262,7 +262,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>My Computer</source>
-        <translation>Poste de travail</translation>
+        <translation>Mon ordinateur</translation>
     </message>
 </context>
 <context>
@@ -304,7 +304,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation>Cop&amp;ier</translation>
+        <translation>&amp;Copier</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
@@ -323,11 +323,11 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     <name>QMessageBox</name>
     <message>
         <source>Show Details...</source>
-        <translation>Montrer les détails...</translation>
+        <translation>Montrer les détails…</translation>
     </message>
     <message>
         <source>Hide Details...</source>
-        <translation>Masquer les détails...</translation>
+        <translation>Masquer les détails…</translation>
     </message>
 </context>
 <context>
@@ -350,7 +350,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>N&amp;o to All</source>
-        <translation>Non à to&amp;ut</translation>
+        <translation>No&amp;n à tout</translation>
     </message>
     <message>
         <source>Save</source>
@@ -374,7 +374,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Abort</source>
-        <translation>Abandonner</translation>
+        <translation>Interrompre</translation>
     </message>
     <message>
         <source>Retry</source>
@@ -386,7 +386,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation>Ne pas tenir compte</translation>
+        <translation>Abandonner</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -398,7 +398,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Restore Defaults</source>
-        <translation>Restaurer les valeurs par défaut</translation>
+        <translation>Valeurs par défaut</translation>
     </message>
     <message>
         <source>Help</source>
@@ -409,7 +409,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     <name>QScrollBar</name>
     <message>
         <source>Scroll here</source>
-        <translation>Défiler jusqu&apos;ici</translation>
+        <translation>Défiler jusqu’ici</translation>
     </message>
     <message>
         <source>Left edge</source>
@@ -429,7 +429,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Page left</source>
-        <translation>Page précédente</translation>
+        <translation>Page à gauche</translation>
     </message>
     <message>
         <source>Page up</source>
@@ -437,7 +437,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Page right</source>
-        <translation>Page suivante</translation>
+        <translation>Page à droite</translation>
     </message>
     <message>
         <source>Page down</source>
@@ -480,19 +480,19 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation>Gauche</translation>
+        <translation>←</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation>Droite</translation>
+        <translation>→</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation>Haut</translation>
+        <translation>↑</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation>Bas</translation>
+        <translation>↓</translation>
     </message>
     <message>
         <source>Home</source>
@@ -504,19 +504,19 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>PgUp</source>
-        <translation>Page préc</translation>
+        <translation>PgPréc</translation>
     </message>
     <message>
         <source>PgDown</source>
-        <translation>Page suiv</translation>
+        <translation>PgSuiv</translation>
     </message>
     <message>
         <source>Page Up</source>
-        <translation>Page haut</translation>
+        <translation>Page précédente</translation>
     </message>
     <message>
         <source>Page Down</source>
-        <translation>Page bas</translation>
+        <translation>Page suivante</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -524,7 +524,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Escape</source>
-        <translation>Échapement</translation>
+        <translation>Échap</translation>
     </message>
     <message>
         <source>Ins</source>
@@ -532,7 +532,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Insert</source>
-        <translation>Insérer</translation>
+        <translation>Inser</translation>
     </message>
     <message>
         <source>Del</source>
@@ -540,7 +540,7 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation>Supprimer</translation>
+        <translation>Suppr</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -548,11 +548,11 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Backtab</source>
-        <translation>Tab arr</translation>
+        <translation>Maj+Tab</translation>
     </message>
     <message>
         <source>Return</source>
-        <translation>Retour</translation>
+        <translation>Entrée</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -560,11 +560,11 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>Backspace</source>
-        <translation>Effacement</translation>
+        <translation>Retour arrière</translation>
     </message>
     <message>
         <source>Media Play</source>
-        <translation>Média lecture</translation>
+        <translation>Lecture</translation>
     </message>
 </context>
 <context>
@@ -594,11 +594,11 @@ Veuillez vérifier que le nom du dossier est correct.</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation>Cop&amp;ier</translation>
+        <translation>&amp;Copier</translation>
     </message>
     <message>
         <source>Copy &amp;Link Location</source>
-        <translation>Copier l&apos;adresse du &amp;lien</translation>
+        <translation>Copier l’adresse du &amp;lien</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
@@ -986,7 +986,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>How long each run is followed, in s; errors are compared at its end</source>
-        <translation>Durée pendant laquelle chaque simulation est suivie, en s ; les erreurs sont comparées à la fin</translation>
+        <translation>Durée pendant laquelle chaque simulation est suivie, en s&#xa0;; les erreurs sont comparées à la fin</translation>
     </message>
     <message>
         <source>Cost is counted in slope evaluations, which the time of computing goes with</source>
@@ -994,11 +994,11 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
-        <translation>Plus grande distance acceptée à la vraie position, en m : quelle méthode l’atteint au moindre coût ?</translation>
+        <translation>Plus grande distance acceptée à la vraie position, en m&#xa0;: quelle méthode l’atteint au moindre coût&#xa0;?</translation>
     </message>
     <message>
         <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Enregistrer le graphique comme image ou ses chiffres comme tableau</translation>
+        <translation>Enregistrer le graphique en image ou ses valeurs en tableau</translation>
     </message>
 </context>
 <context>
@@ -1177,7 +1177,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <name>ui::ChartWidget</name>
     <message>
         <source>A click goes to a moment. Wheel, plus and minus zoom, dragging a box does, too; Alt and the arrow keys move the chart, 0 shows all of it.</source>
-        <translation>Un clic va à un instant. La molette, plus et moins agrandissent, un cadre tracé aussi ; Alt et les flèches déplacent le graphique, 0 le montre en entier.</translation>
+        <translation>Un clic va à un instant. La molette, plus et moins zooment, un cadre tracé aussi&#xa0;; Alt et les flèches déplacent le graphique, 0 le montre en entier.</translation>
     </message>
 </context>
 <context>
@@ -1811,7 +1811,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>&amp;Teacher&apos;s sheet</source>
-        <translation>Fiche du &amp;professeur</translation>
+        <translation>Fiche de l’&amp;enseignant</translation>
     </message>
     <message>
         <source>Sheet</source>
@@ -1819,7 +1819,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Goal, steps, questions and expected figures of this lesson, to be printed</source>
-        <translation>But, étapes, questions et chiffres attendus de cette leçon, à imprimer</translation>
+        <translation>But, étapes, questions et valeurs attendues de cette leçon, à imprimer</translation>
     </message>
     <message>
         <source>Quick &amp;guide</source>
@@ -1890,11 +1890,11 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Largest distance between the same weight in both runs, now: max |p − p&apos;|, in m</source>
-        <translation>Plus grande distance entre la même bille des deux simulations, maintenant : max |p − p&apos;|, en m</translation>
+        <translation>Plus grande distance entre la même bille des deux simulations, maintenant&#xa0;: max |p − p’|, en m</translation>
     </message>
     <message>
         <source>Energy the method got wrong so far, in J: kinetic + potential + losses − energy at the start</source>
-        <translation>Énergie que la méthode a faussée jusqu’ici, en J : cinétique + potentielle + pertes − énergie au départ</translation>
+        <translation>Énergie que la méthode a faussée jusqu’ici, en J&#xa0;: cinétique + potentielle + pertes − énergie au départ</translation>
     </message>
     <message>
         <source>Method and step of the run</source>
@@ -1992,7 +1992,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>A click cuts the ropes at that moment; moments that hit are listed in the table beside it.</source>
-        <translation>Un clic coupe les cordes à cet instant ; les instants qui touchent la cible sont dans le tableau à côté.</translation>
+        <translation>Un clic coupe les cordes à cet instant&#xa0;; les instants qui touchent la cible sont dans le tableau à côté.</translation>
     </message>
 </context>
 <context>
@@ -2138,7 +2138,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Where the middle of the target lies, x in m from the left wall</source>
-        <translation>Position du milieu de la cible, x en m depuis la paroi gauche</translation>
+        <translation>Position du milieu de la cible, x en m depuis le mur gauche</translation>
     </message>
     <message>
         <source>How wide the target is, in m</source>
@@ -2154,7 +2154,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Enregistrer le graphique comme image ou ses chiffres comme tableau</translation>
+        <translation>Enregistrer le graphique en image ou ses valeurs en tableau</translation>
     </message>
 </context>
 <context>
@@ -2294,15 +2294,15 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Speed |v| right before, in m/s. Of the weight; where two meet, of the first named</source>
-        <translation>Vitesse |v| juste avant, en m/s. Celle de la bille ; où deux se rencontrent, de la première nommée</translation>
+        <translation>Vitesse |v| juste avant, en m/s. Celle de la bille&#xa0;; si deux billes se heurtent, celle de la première nommée</translation>
     </message>
     <message>
         <source>Speed |v| right after, in m/s. Of the weight; where two meet, of the first named</source>
-        <translation>Vitesse |v| juste après, en m/s. Celle de la bille ; où deux se rencontrent, de la première nommée</translation>
+        <translation>Vitesse |v| juste après, en m/s. Celle de la bille&#xa0;; si deux billes se heurtent, celle de la première nommée</translation>
     </message>
     <message>
         <source>Kinetic energy turned into heat by the event, in J. Between two weights ½ (1 − e²) μ v², with the speed v towards each other and 1/μ = 1/m₁ + 1/m₂</source>
-        <translation>Énergie cinétique que l’événement change en chaleur, en J. Entre deux billes ½ (1 − e²) μ v², avec la vitesse v de l’une vers l’autre et 1/μ = 1/m₁ + 1/m₂</translation>
+        <translation>Énergie cinétique que l’événement transforme en chaleur, en J. Entre deux billes ½ (1 − e²) μ v², avec la vitesse de rapprochement v et 1/μ = 1/m₁ + 1/m₂</translation>
     </message>
 </context>
 <context>
@@ -2388,7 +2388,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Kinds of events</source>
-        <translation>Types d’événements</translation>
+        <translation>Types d’événements affichés</translation>
     </message>
     <message>
         <source>Weight whose events are listed</source>
@@ -2424,11 +2424,11 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>What happened in the run; choosing an event shows its moment</source>
-        <translation>Ce qui s’est passé dans la simulation ; choisir un événement montre son instant</translation>
+        <translation>Ce qui s’est passé dans la simulation&#xa0;; choisir un événement montre son instant</translation>
     </message>
     <message>
         <source>Kinds of events that are listed</source>
-        <translation>Genres d’événements affichés</translation>
+        <translation>Types d’événements affichés</translation>
     </message>
 </context>
 <context>
@@ -2536,7 +2536,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Teacher&apos;s sheets</source>
-        <translation>Fiches du professeur</translation>
+        <translation>Fiches de l’enseignant</translation>
     </message>
     <message>
         <source>Chapters</source>
@@ -2552,7 +2552,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation>&amp;Imprimer…</translation>
+        <translation>Im&amp;primer…</translation>
     </message>
     <message>
         <source>&amp;Save as PDF…</source>
@@ -2580,11 +2580,11 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Guide, model or teacher&apos;s sheets</source>
-        <translation>Guide, modèle ou fiches du professeur</translation>
+        <translation>Guide, modèle ou fiches de l’enseignant</translation>
     </message>
     <message>
         <source>What this chapter has; the one chosen is shown</source>
-        <translation>Ce que contient ce chapitre ; la page choisie est montrée</translation>
+        <translation>Ce que contient ce chapitre&#xa0;; l’élément choisi est affiché</translation>
     </message>
     <message>
         <source>The page that is open</source>
@@ -2596,7 +2596,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Print these pages, black on white</source>
-        <translation>Imprimer ces pages, noir sur blanc</translation>
+        <translation>Imprimer ces pages, en noir sur blanc</translation>
     </message>
     <message>
         <source>Save these pages as a file</source>
@@ -3475,7 +3475,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Simulated time t, in s: the moment that all views show</source>
-        <translation>Temps simulé t, en s : l’instant que montrent toutes les vues</translation>
+        <translation>Temps simulé t, en s&#xa0;: l’instant que montrent toutes les vues</translation>
     </message>
 </context>
 <context>
@@ -3725,36 +3725,36 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Step h in s: how much simulated time the method takes at once. Smaller steps are more exact and cost more.</source>
-        <translation>Pas h en s : temps simulé que la méthode franchit d’un coup. Des pas plus petits sont plus précis et coûtent plus.</translation>
+        <translation>Pas h en s&#xa0;: le temps simulé que la méthode franchit d’un coup. Un pas plus petit est plus exact et coûte plus cher.</translation>
     </message>
     <message>
         <source>Tolerance, without unit: the error the method allows itself in a step, in m, m/s, rad and rad/s. It chooses its steps accordingly.</source>
-        <translation>Tolérance, sans unité : l’erreur que la méthode se permet en un pas, en m, m/s, rad et rad/s. Elle choisit ses pas en conséquence.</translation>
+        <translation>Tolérance, sans unité&#xa0;: l’erreur que la méthode se permet dans un pas, en m, m/s, rad et rad/s. Elle choisit ses pas en conséquence.</translation>
     </message>
     <message>
         <source>Compute the scene with this method, too</source>
-        <translation>Calculer la scène aussi avec cette méthode</translation>
+        <translation>Calculer la scène avec cette méthode aussi</translation>
     </message>
 </context>
 <context>
     <name>ui::SceneAnnouncer</name>
     <message>
         <source>No weight selected</source>
-        <translation>Aucune bille choisie</translation>
+        <translation>Aucune bille sélectionnée</translation>
     </message>
     <message>
         <source>Weight %1 selected</source>
-        <translation>Bille %1 choisie</translation>
+        <translation>Bille %1 sélectionnée</translation>
     </message>
     <message>
         <source>%1: weight %2, at %3 s</source>
         <comment>an event, such as: Impact on the floor</comment>
-        <translation>%1 : bille %2, à %3 s</translation>
+        <translation>%1&#xa0;: bille %2, à %3 s</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>an event and how many there are</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -3803,7 +3803,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>not UTF-8 but UTF-16; save it as UTF-8</source>
-        <translation>pas en UTF-8 mais en UTF-16 ; enregistrez-le en UTF-8</translation>
+        <translation>en UTF-16 et non en UTF-8&#xa0;; enregistrez-le en UTF-8</translation>
     </message>
     <message>
         <source>it is no file but a pipe or a device</source>
@@ -3937,19 +3937,19 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>How many weights there are, hung up at even intervals. New ones are like the last one.</source>
-        <translation>Nombre de billes, suspendues à intervalles égaux. Les nouvelles sont comme la dernière.</translation>
+        <translation>Nombre de billes, accrochées à intervalles réguliers. Les nouvelles sont comme la dernière.</translation>
     </message>
     <message>
         <source>Acceleration of free fall g, in m/s². It pulls each weight down with the force m g. On Earth 9.81 m/s².</source>
-        <translation>Accélération de la pesanteur g, en m/s². Elle tire chaque bille vers le bas avec la force m g. Sur Terre 9,81 m/s².</translation>
+        <translation>Accélération de la chute libre g, en m/s². Elle tire chaque bille vers le bas avec la force m g. Sur Terre 9,81 m/s².</translation>
     </message>
     <message>
         <source>Density of the air ρ, in kg/m³. Drag is F = ½ ρ c_d A v² against the velocity, with A = π r². 1.2 kg/m³ at sea level, 0 for vacuum.</source>
-        <translation>Masse volumique de l’air ρ, en kg/m³. La traînée est F = ½ ρ c_d A v² contre la vitesse, avec A = π r². 1,2 kg/m³ au niveau de la mer, 0 pour le vide.</translation>
+        <translation>Masse volumique de l’air ρ, en kg/m³. La traînée est F = ½ ρ c_d A v², opposée à la vitesse, avec A = π r². 1,2 kg/m³ au niveau de la mer, 0 pour le vide.</translation>
     </message>
     <message>
         <source>Distance between the walls, in m.</source>
-        <translation>Distance entre les parois, en m.</translation>
+        <translation>Distance entre les murs, en m.</translation>
     </message>
     <message>
         <source>Distance between floor and ceiling, in m.</source>
@@ -3957,19 +3957,19 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>Share e of the speed towards a wall, the floor or the ceiling with which a weight leaves it: 1 loses nothing, 0 does not bounce.</source>
-        <translation>Part e de la vitesse vers une paroi, le sol ou le plafond avec laquelle une bille en repart : 1 ne perd rien, 0 ne rebondit pas.</translation>
+        <translation>Part e de la vitesse vers un mur, le sol ou le plafond avec laquelle une bille en repart&#xa0;: 1 ne perd rien, 0 ne rebondit pas.</translation>
     </message>
     <message>
         <source>Friction coefficient μ of walls, floor and ceiling. Friction is at most μ times the force, or the impulse, that presses the weight against them.</source>
-        <translation>Coefficient de frottement μ des parois, du sol et du plafond. Le frottement vaut au plus μ fois la force, ou l’impulsion, qui presse la bille contre eux.</translation>
+        <translation>Coefficient de frottement μ des murs, du sol et du plafond. Le frottement vaut au plus μ fois la force, ou l’impulsion, qui presse la bille contre eux.</translation>
     </message>
     <message>
         <source>Share e of the speed towards each other with which two weights part after an impact: 1 loses nothing, 0 does not bounce.</source>
-        <translation>Part e de la vitesse de rapprochement avec laquelle deux billes se séparent après un choc : 1 ne perd rien, 0 ne rebondit pas.</translation>
+        <translation>Part e de la vitesse de rapprochement avec laquelle deux billes se séparent après un choc&#xa0;: 1 ne perd rien, 0 ne rebondit pas.</translation>
     </message>
     <message>
         <source>Simulated time in s at which all ropes are cut.</source>
-        <translation>Temps simulé en s où toutes les cordes sont coupées.</translation>
+        <translation>Temps simulé en s auquel toutes les cordes sont coupées.</translation>
     </message>
 </context>
 <context>
@@ -4143,7 +4143,7 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>The room with its weights and ropes. A click selects a weight, the wheel zooms, dragging moves the view.</source>
-        <translation>La salle avec ses billes et ses cordes. Un clic choisit une bille, la molette agrandit, glisser déplace la vue.</translation>
+        <translation>La pièce avec ses billes et ses cordes. Un clic sélectionne une bille, la molette zoome, glisser déplace la vue.</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4177,11 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <name>ui::Settings</name>
     <message>
         <source>The settings in %1 were damaged; what could not be read is as at first.</source>
-        <translation>Les réglages dans %1 étaient endommagés ; ce qui n’a pu être lu est comme au début.</translation>
+        <translation>Les réglages dans %1 étaient abîmés&#xa0;; ce qui était illisible est comme au départ.</translation>
     </message>
     <message>
         <source>Settings are not remembered: nothing can be written to %1</source>
-        <translation>Les réglages ne sont pas retenus : rien ne peut être écrit dans %1</translation>
+        <translation>Les réglages ne sont pas gardés&#xa0;: impossible d’écrire dans %1</translation>
     </message>
 </context>
 <context>
@@ -4244,11 +4244,11 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
     <message>
         <source>How long each run is followed, in s: what grows slowly needs time to show</source>
-        <translation>Durée pendant laquelle chaque simulation est suivie, en s : ce qui croît lentement demande du temps pour se voir</translation>
+        <translation>Durée pendant laquelle chaque simulation est suivie, en s&#xa0;: ce qui croît lentement demande du temps pour se voir</translation>
     </message>
     <message>
         <source>Save the map as a picture</source>
-        <translation>Enregistrer la carte comme image</translation>
+        <translation>Enregistrer la carte en image</translation>
     </message>
 </context>
 <context>
@@ -4424,7 +4424,7 @@ en m</translation>
     </message>
     <message>
         <source>Distance of the end from the exact one, in m: the error of this step alone</source>
-        <translation>Distance entre l’arrivée et l’arrivée exacte, en m : l’erreur de ce seul pas</translation>
+        <translation>Distance entre l’arrivée et l’arrivée exacte, en m&#xa0;: l’erreur de ce seul pas</translation>
     </message>
 </context>
 <context>
@@ -4490,7 +4490,7 @@ en m</translation>
     </message>
     <message>
         <source>Compute in the background; the same button stops it</source>
-        <translation>Calculer en arrière-plan ; le même bouton arrête</translation>
+        <translation>Calculer en arrière-plan&#xa0;; le même bouton arrête</translation>
     </message>
 </context>
 <context>
@@ -4524,7 +4524,7 @@ en m</translation>
     </message>
     <message>
         <source>The recording from its start to its end, with marks for events. A click or dragging shows another moment; Home, End and the arrow keys do, too.</source>
-        <translation>L’enregistrement du début à la fin, avec des marques pour les événements. Un clic ou glisser montre un autre instant ; Début, Fin et les flèches aussi.</translation>
+        <translation>L’enregistrement du début à la fin, avec des marques pour les événements. Un clic ou glisser montre un autre instant&#xa0;; Début, Fin et les flèches aussi.</translation>
     </message>
 </context>
 <context>
@@ -4539,15 +4539,15 @@ en m</translation>
     </message>
     <message>
         <source>Weights on ropes. Filled ones follow the first method, rings the others. At the start drag a weight to turn its rope; the wheel zooms.</source>
-        <translation>Des billes sur des cordes. Les pleines suivent la première méthode, les anneaux les autres. Au départ, tirez une bille pour tourner sa corde ; la molette agrandit.</translation>
+        <translation>Des billes accrochées à des cordes. Les pleines suivent la première méthode, les anneaux les autres. Au départ, glissez une bille pour tourner sa corde&#xa0;; la molette zoome.</translation>
     </message>
     <message>
         <source>Play and cut</source>
-        <translation>Lecture et coupe</translation>
+        <translation>Lire et couper</translation>
     </message>
     <message>
         <source>Space plays and stops. C cuts all ropes, R goes back to the start. Slow motion makes an impact last for seconds.</source>
-        <translation>Espace lance et arrête. C coupe toutes les cordes, R revient au départ. Au ralenti, un choc dure des secondes.</translation>
+        <translation>Espace lance et arrête. C coupe toutes les cordes, R revient au début. Le ralenti fait durer un choc plusieurs secondes.</translation>
     </message>
     <message>
         <source>Step by step</source>
@@ -4555,7 +4555,7 @@ en m</translation>
     </message>
     <message>
         <source>The arrow keys → and ← go by one step, I goes to the next impact. Drag on this line to see any moment again.</source>
-        <translation>Les flèches → et ← avancent d’un pas, I va au prochain choc. Glissez sur cette ligne pour revoir n’importe quel instant.</translation>
+        <translation>Les flèches → et ← avancent et reculent d’un pas, I va au choc suivant. Glissez sur cette ligne pour revoir n’importe quel instant.</translation>
     </message>
     <message>
         <source>Where the energy goes</source>
@@ -4563,15 +4563,15 @@ en m</translation>
     </message>
     <message>
         <source>The total should be a flat line. What it climbs or falls was made or lost by the method, not by nature.</source>
-        <translation>Le total devrait être une ligne plate. Ce qu’il monte ou descend, la méthode l’a créé ou perdu, pas la nature.</translation>
+        <translation>La courbe de l’énergie totale devrait être plate. Ce qu’elle monte ou descend, c’est la méthode qui l’a créé ou perdu, pas la nature.</translation>
     </message>
     <message>
         <source>Methods side by side</source>
-        <translation>Des méthodes côte à côte</translation>
+        <translation>Les méthodes côte à côte</translation>
     </message>
     <message>
         <source>Up to four methods compute the same scene. Choose them and their steps here, and see who is right. Lessons, at the top right, has scenes to begin with.</source>
-        <translation>Jusqu’à quatre méthodes calculent la même scène. Choisissez-les ici avec leurs pas, et voyez qui a raison. Leçons, en haut à droite, propose des scènes pour commencer.</translation>
+        <translation>Jusqu’à quatre méthodes calculent la même scène. Choisissez-les ici avec leurs pas, et voyez laquelle a raison. Leçons, en haut à droite, propose des scènes pour débuter.</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -4579,7 +4579,7 @@ en m</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation>Retour</translation>
+        <translation>Précédent</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -4595,15 +4595,15 @@ en m</translation>
     </message>
     <message>
         <source>End the tour; the Help menu has it again</source>
-        <translation>Finir la visite ; le menu Aide la propose à nouveau</translation>
+        <translation>Terminer la visite&#xa0;; le menu Aide la propose de nouveau</translation>
     </message>
     <message>
         <source>Show the hint before</source>
-        <translation>Montrer le conseil précédent</translation>
+        <translation>Montrer l’indication précédente</translation>
     </message>
     <message>
         <source>Go on with the tour, or end it</source>
-        <translation>Continuer la visite, ou la finir</translation>
+        <translation>Poursuivre la visite, ou la terminer</translation>
     </message>
 </context>
 <context>
@@ -4626,7 +4626,7 @@ en m</translation>
     </message>
     <message>
         <source>What accuracy costs, or how large steps may be</source>
-        <translation>Ce que coûte la précision, ou la taille permise des pas</translation>
+        <translation>Ce que coûte la précision, ou combien les pas peuvent être grands</translation>
     </message>
 </context>
 <context>
@@ -4909,11 +4909,11 @@ en m</translation>
     </message>
     <message>
         <source>What holds the weight at the start: a rope, a rod, or nothing</source>
-        <translation>Ce qui tient la bille au départ : une corde, une tige ou rien</translation>
+        <translation>Ce qui tient la bille au départ&#xa0;: une corde, une tige ou rien</translation>
     </message>
     <message>
         <source>Where the rope is tied: x from the left wall, y from the floor, in m</source>
-        <translation>Où la corde est attachée : x depuis la paroi gauche, y depuis le sol, en m</translation>
+        <translation>Où la corde est attachée&#xa0;: x depuis le mur gauche, y depuis le sol, en m</translation>
     </message>
     <message>
         <source>Angular velocity ω at the start, in °/s, positive counterclockwise</source>
@@ -4921,11 +4921,11 @@ en m</translation>
     </message>
     <message>
         <source>Center of the weight at the start: x from the left wall, y from the floor, in m</source>
-        <translation>Centre de la bille au départ : x depuis la paroi gauche, y depuis le sol, en m</translation>
+        <translation>Centre de la bille au départ&#xa0;: x depuis le mur gauche, y depuis le sol, en m</translation>
     </message>
     <message>
         <source>Velocity v at the start: x to the right, y up, in m/s</source>
-        <translation>Vitesse v au départ : x vers la droite, y vers le haut, en m/s</translation>
+        <translation>Vitesse v au départ&#xa0;: x vers la droite, y vers le haut, en m/s</translation>
     </message>
 </context>
 <context>
@@ -5061,23 +5061,23 @@ en m</translation>
     </message>
     <message>
         <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Longueur de la corde L, en m : du point d’attache au centre de la bille. Une petite oscillation dure T = 2π √(L/g).</translation>
+        <translation>Longueur de la corde L, en m&#xa0;: de son pivot au centre de la bille. Une petite oscillation dure T = 2π √(L/g).</translation>
     </message>
     <message>
         <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Angle θ de la corde au départ, en degrés depuis la verticale vers le bas, positif à droite.</translation>
+        <translation>Angle θ de la corde au départ, en degrés depuis la verticale vers le bas, positif vers la droite.</translation>
     </message>
     <message>
         <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Masse m, en kg. Sans air elle ne compte pas pour une oscillation ; avec de l’air, une bille plus lourde est moins freinée.</translation>
+        <translation>Masse m, en kg. Elle ne compte pas pour une oscillation sans air&#xa0;; dans l’air, une bille plus lourde est moins freinée.</translation>
     </message>
     <message>
         <source>Radius r, in m. Air meets the area A = π r².</source>
-        <translation>Rayon r, en m. L’air rencontre l’aire A = π r².</translation>
+        <translation>Rayon r, en m. L’air rencontre la surface A = π r².</translation>
     </message>
     <message>
         <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
-        <translation>Coefficient de traînée c_d, sans unité : combien la forme est freinée par l’air. 0,47 pour une sphère.</translation>
+        <translation>Coefficient de traînée c_d, sans unité&#xa0;: à quel point l’air retient la forme. 0,47 pour une sphère.</translation>
     </message>
     <message>
         <source>Change many weights at once, and copy them from and to spreadsheets</source>
@@ -5203,7 +5203,7 @@ en m</translation>
     </message>
     <message>
         <source>One row for each weight. Return edits a cell, of all selected rows at once.</source>
-        <translation>Une ligne par bille. Entrée modifie une cellule, dans toutes les lignes choisies à la fois.</translation>
+        <translation>Une ligne par bille. Entrée modifie une cellule, dans toutes les lignes sélectionnées à la fois.</translation>
     </message>
 </context>
 <context>
@@ -5274,7 +5274,7 @@ en m</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation>&amp;Langue</translation>
+        <translation>Lan&amp;gue</translation>
     </message>
     <message>
         <source>Not applied: %1</source>

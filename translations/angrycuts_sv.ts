@@ -2590,15 +2590,15 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
     <message>
         <source>Close this window</source>
-        <translation>Stäng fönstret</translation>
+        <translation>Stäng det här fönstret</translation>
     </message>
     <message>
         <source>Print these pages, black on white</source>
-        <translation>Skriv ut sidorna, svart på vitt</translation>
+        <translation>Skriv ut de här sidorna, svart på vitt</translation>
     </message>
     <message>
         <source>Save these pages as a file</source>
-        <translation>Spara sidorna som en fil</translation>
+        <translation>Spara de här sidorna som en fil</translation>
     </message>
 </context>
 <context>
@@ -4593,7 +4593,7 @@ i m</translation>
     </message>
     <message>
         <source>End the tour; the Help menu has it again</source>
-        <translation>Avsluta rundturen; den finns i menyn Hjälp</translation>
+        <translation>Avsluta rundturen; den finns kvar i menyn Hjälp</translation>
     </message>
     <message>
         <source>Show the hint before</source>
@@ -4601,7 +4601,7 @@ i m</translation>
     </message>
     <message>
         <source>Go on with the tour, or end it</source>
-        <translation>Fortsätt rundturen, eller avsluta den</translation>
+        <translation>Gå vidare i rundturen, eller avsluta den</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "tests/fuzz/target.h"
 #include "ui/files/scene_file.h"
 
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   tests::endAt(tests::faultIn(tests::fuzzedRun(std::span(data, size))));
   return 0;

@@ -28,6 +28,7 @@ std::string faultIn(const ui::SceneOrError& result, const Reader& read) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const QByteArray text(reinterpret_cast<const char*>(data), static_cast<qsizetype>(size));
   const ui::SceneOrError result = ui::parseScene(text);

@@ -7,6 +7,7 @@
 
 /// What a fuzz target does with bytes; ends the program where something is wrong. The name is
 /// libFuzzer's.
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace tests {

@@ -127,8 +127,11 @@ QStringList keyNames() {
   for (const QAction* action : commands.all())
     for (const QKeySequence& sequence : action->shortcuts())
       keys << sequence.toString(QKeySequence::NativeText);
-  keys.replaceInStrings(QStringLiteral("Right"), QStringLiteral("→"));
-  keys.replaceInStrings(QStringLiteral("Left"), QStringLiteral("←"));
+  const auto nameOf = [](Qt::Key key) {
+    return QKeySequence(key).toString(QKeySequence::NativeText);
+  };
+  keys.replaceInStrings(nameOf(Qt::Key_Right), QStringLiteral("→"));
+  keys.replaceInStrings(nameOf(Qt::Key_Left), QStringLiteral("←"));
   keys << QKeySequence(Qt::SHIFT).toString(QKeySequence::NativeText).remove('+');
   return keys;
 }
