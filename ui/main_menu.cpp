@@ -6,7 +6,7 @@
 #include <QToolButton>
 
 #include "ui/control/commands.h"
-#include "ui/files/scene_file.h"
+#include "ui/files/lessons.h"
 #include "ui/style/icons.h"
 
 namespace ui {
@@ -134,7 +134,8 @@ void MainMenu::addChartMenu(QMenuBar* bar, const Commands& commands) {
 
 void MainMenu::addHelpMenu(QMenuBar* bar, const Commands& commands) {
   QMenu* help = bar->addMenu(tr("&Help"));
-  addCommands(help, commands, {Command::kGuide, Command::kTour, Command::kKeys, Command::kModel, Command::kSheet});
+  addCommands(help, commands,
+              {Command::kGuide, Command::kTour, Command::kKeys, Command::kModel, Command::kSheet});
   help->addSeparator();
   addCommands(help, commands, {Command::kAbout});
 }
@@ -162,12 +163,12 @@ void MainMenu::setRuns(const QStringList& names) {
 
 void MainMenu::listBuiltInScenes() {
   if (!m_scenes->isEmpty()) return;
-  for (const QString& name : builtInScenes()) {
-    const core::Scene scene = builtInScene(name);
-    QAction* action = m_scenes->addAction(QString::fromStdString(scene.name));
-    action->setToolTip(QString::fromStdString(scene.description));
+  for (const Lesson& lesson : lessons()) {
+    QAction* action = m_scenes->addAction(lesson.title);
+    action->setToolTip(lesson.look);
     action->setStatusTip(action->toolTip());
-    connect(action, &QAction::triggered, this, [this, name] { emit builtInChosen(name); });
+    connect(action, &QAction::triggered, this,
+            [this, name = lesson.name] { emit builtInChosen(name); });
   }
 }
 

@@ -33,6 +33,7 @@
 #include "ui/control/time_commands.h"
 #include "ui/control/undo_commands.h"
 #include "ui/face_view.h"
+#include "ui/files/lessons.h"
 #include "ui/help/help_desk.h"
 #include "ui/main_menu.h"
 #include "ui/panels/charts_panel.h"
@@ -56,6 +57,12 @@ namespace ui {
 namespace {
 
 constexpr int kMessageTime = 6000;  // ms
+
+/// A lesson's is in the language of the window, others' in their author's.
+QString titleOf(const core::Scene& scene) {
+  const QString lesson = lessonNameOf(scene);
+  return lesson.isEmpty() ? QString::fromStdString(scene.name) : lessonNamed(lesson).title;
+}
 
 }  // namespace
 
@@ -346,8 +353,8 @@ void WindowFace::showProblems() {
 
 void WindowFace::showTitle() {
   const QString file = m_bench->files()->file();
-  const QString name = file.isEmpty() ? QString::fromStdString(m_bench->editor()->scene()->name)
-                                      : QFileInfo(file).fileName();
+  const QString name =
+      file.isEmpty() ? titleOf(*m_bench->editor()->scene()) : QFileInfo(file).fileName();
   m_window->setWindowTitle(tr("%1[*] – Angry Cuts").arg(name.isEmpty() ? tr("New scene") : name));
 }
 

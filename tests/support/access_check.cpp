@@ -165,9 +165,11 @@ QList<QWidget*> tabChainOf(QWidget& window) {
 }
 
 QStringList missedByTab(QWidget& window) {
+  // Before: work in the background may show more meanwhile.
+  const QList<QWidget*> controls = controlsIn(window);
   const QList<QWidget*> chain = tabChainOf(window);
   QStringList missed;
-  for (QWidget* widget : controlsIn(window))
+  for (QWidget* widget : controls)
     if (takesTab(widget) && !chain.contains(widget)) missed << described(widget);
   if (chain.isEmpty()) missed << QStringLiteral("everything");
   return missed;

@@ -154,6 +154,7 @@ void AccessibilityWindowTest::tellsScreenReadersWhatHappens() {
   m_window->selection()->select(2);
   QTRY_VERIFY2(heard().startsWith("Weight 3 selected"), qPrintable(heard()));
   m_window->commands().action(Command::kCut)->trigger();
+  m_window->controller()->stepOnce();
   QTRY_VERIFY2(heard().contains("cut", Qt::CaseInsensitive), qPrintable(heard()));
   m_window->commands().action(Command::kNextImpact)->trigger();
   QTRY_VERIFY2(heard().contains("mpact"), qPrintable(heard()));

@@ -12,6 +12,9 @@ namespace ui {
 class Words {
  public:
   Words() = default;
+  // Implicit, so that texts and what makes them can stand wherever words are wanted.
+  // NOLINTBEGIN(google-explicit-constructor)
+
   /// Words that are the same in every language, such as names.
   Words(QString text) : m_make([text = std::move(text)] { return text; }) {}
   Words(const char* text) : Words(QString::fromUtf8(text)) {}

@@ -40,26 +40,20 @@ TaskRow::TaskRow(BackgroundTask* task, const QString& start, QWidget* parent)
   connect(task, &BackgroundTask::progressed, m_progress, &QProgressBar::setValue);
 }
 
+/// The button and the progress stay behind, also for Tab, which goes by who came first.
 void TaskRow::add(const QString& name, QWidget* control) {
-  if (!name.isEmpty()) m_layout->insertWidget(m_layout->indexOf(m_button), new QLabel(name));
-  m_layout->insertWidget(m_layout->indexOf(m_button), control);
+  for (QWidget* behind : {static_cast<QWidget*>(m_button), static_cast<QWidget*>(m_progress)}) {
+    m_layout->removeWidget(behind);
+    behind->setParent(nullptr);
+  }
+  if (!name.isEmpty()) m_layout->addWidget(new QLabel(name));
+  m_layout->addWidget(control);
+  m_layout->addWidget(m_button);
+  m_layout->addWidget(m_progress, 1);
 }
 
 void TaskRow::addLast(QWidget* control) {
   m_layout->addWidget(control);
-}
-
-/// The button was there first, but stands among the others.
-void TaskRow::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  QWidget* last = nullptr;
-  for (int i = 0; i < m_layout->count(); ++i) {
-    QWidget* control = m_layout->itemAt(i)->widget();
-    if (!control || qobject_cast<QLabel*>(control) || control == m_progress) continue;
-    if (control->focusProxy()) control = control->focusProxy();
-    if (last) setTabOrder(last, control);
-    last = control;
-  }
 }
 
 void TaskRow::press() {

@@ -28,9 +28,6 @@ class TaskRow : public QWidget {
   /// The user wants the work to be done.
   void startWanted();
 
- protected:
-  void showEvent(QShowEvent* event) override;
-
  private:
   void press();
   void showRunning(bool running);
