@@ -58,12 +58,6 @@ namespace {
 
 constexpr int kMessageTime = 6000;  // ms
 
-/// A lesson's is in the language of the window, others' in their author's.
-QString titleOf(const core::Scene& scene) {
-  const QString lesson = lessonNameOf(scene);
-  return lesson.isEmpty() ? QString::fromStdString(scene.name) : lessonNamed(lesson).title;
-}
-
 }  // namespace
 
 WindowFace::WindowFace(QMainWindow* window, Workbench* bench, SceneArea* area)

@@ -12,6 +12,7 @@
 #include "ui/control/settings.h"
 #include "ui/control/warning.h"
 #include "ui/files/ledger_file.h"
+#include "ui/files/lessons.h"
 
 namespace ui {
 namespace {
@@ -64,7 +65,7 @@ void Exports::askAndSaveLedger(int run) {
 }
 
 QString Exports::sceneName() const {
-  return QString::fromStdString(m_controller->scene().name);
+  return titleOf(m_controller->scene());
 }
 
 QString Exports::suggested(const QString& what, const QString& ending) const {

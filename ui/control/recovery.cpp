@@ -11,13 +11,13 @@
 #include "ui/control/scene_files.h"
 #include "ui/files/draft_file.h"
 #include "ui/files/file_lock.h"
+#include "ui/files/lessons.h"
 
 namespace ui {
 namespace {
 
 QString nameOf(const KeptDraft& kept) {
-  return kept.file.isEmpty() ? QString::fromStdString(kept.scene.name)
-                             : QFileInfo(kept.file).fileName();
+  return kept.file.isEmpty() ? titleOf(kept.scene) : QFileInfo(kept.file).fileName();
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_loading.h"
 #include "ui/control/warning.h"
+#include "ui/files/lessons.h"
 #include "ui/files/scene_file.h"
 
 namespace ui {
@@ -82,8 +83,8 @@ void SceneFiles::askAndOpen() {
 
 void SceneFiles::openBuiltIn(const QString& name) {
   if (!mayLeaveScene()) return;
-  const core::Scene scene = builtInScene(name);
-  m_editor->replace(scene, {}, openingWords(QString::fromStdString(scene.name)));
+  m_editor->replace(builtInScene(name), {},
+                    openingWords([name] { return lessonNamed(name).title; }));
 }
 
 void SceneFiles::leaveAndOpen(const QString& file) {
@@ -102,8 +103,8 @@ void SceneFiles::warnNotOpened(const QString& file, const QString& reason) {
        tr("%1 was not opened:\n%2").arg(QFileInfo(file).fileName(), reason));
 }
 
-Words SceneFiles::openingWords(const QString& name) {
-  return [name] { return tr("opening of %1").arg(name); };
+Words SceneFiles::openingWords(const Words& name) {
+  return [name] { return tr("opening of %1").arg(name.text()); };
 }
 
 bool SceneFiles::save() {
@@ -111,7 +112,7 @@ bool SceneFiles::save() {
 }
 
 bool SceneFiles::saveAs() {
-  const QString name = QString::fromStdString(m_editor->scene()->name);
+  const QString name = titleOf(*m_editor->scene());
   const QString suggested = file().isEmpty() ? fileNameFrom(name) + kEnding : file();
   const QString chosen = askWhereToSave(m_window, tr("Save scene"), suggested,
                                         {tr("Scene (*%1 *.json)").arg(kEnding)});

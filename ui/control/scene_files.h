@@ -53,7 +53,7 @@ class SceneFiles : public QObject {
   void done(const QString& message);
 
  private:
-  static Words openingWords(const QString& name);
+  static Words openingWords(const Words& name);
   void remember();
 
   SceneEditor* m_editor;

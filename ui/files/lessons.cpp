@@ -293,6 +293,11 @@ QString lessonNameOf(const core::Scene& scene) {
   return found == std::end(kTexts) ? QString() : QString::fromLatin1(found->name);
 }
 
+QString titleOf(const core::Scene& scene) {
+  const QString lesson = lessonNameOf(scene);
+  return lesson.isEmpty() ? QString::fromStdString(scene.name) : lessonNamed(lesson).title;
+}
+
 Lesson lessonNamed(const QString& name) {
   const auto found = std::ranges::find_if(
       kTexts, [&](const Text& text) { return name == QLatin1String(text.name); });

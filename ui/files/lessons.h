@@ -27,6 +27,9 @@ std::vector<Lesson> lessons();
 /// keeps its lesson whatever is changed in it, until it gets another name or description.
 QString lessonNameOf(const core::Scene& scene);
 
+/// The scene's name as readers see it: a lesson's in their language, else as it was given.
+QString titleOf(const core::Scene& scene);
+
 /// The lesson of the built-in scene of that name.
 /// @pre `name` is one of builtInScenes()
 Lesson lessonNamed(const QString& name);

@@ -18,6 +18,7 @@
 #include "ui/control/file_dialog.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/trade_words.h"
+#include "ui/files/lessons.h"
 #include "ui/files/output_file.h"
 #include "ui/panels/export_message.h"
 #include "ui/panels/measurement_table.h"
@@ -133,8 +134,7 @@ void AccuracyPanel::measure(double until) {
         *result = core::measure(scene, core::measuredSolvers(), until, progress);
       },
       [=, this] {
-        show(std::make_shared<const core::Measurement>(std::move(**result)),
-             QString::fromStdString(scene->name));
+        show(std::make_shared<const core::Measurement>(std::move(**result)), titleOf(*scene));
       });
 }
 

@@ -28,6 +28,7 @@
 #include "ui/control/run_words.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_target.h"
+#include "ui/files/lessons.h"
 #include "ui/files/output_file.h"
 #include "ui/panels/export_message.h"
 #include "ui/panels/hit_table.h"
@@ -333,7 +334,7 @@ void CutWindow::finish(const std::vector<core::Hit>& hits, const core::Target& t
   result->question = sweep.question();
   result->solver = sweep.solver();
   result->room = m_work->scene.room;
-  result->sceneName = QString::fromStdString(m_work->scene.name);
+  result->sceneName = titleOf(m_work->scene);
   result->landings = sweep.landings();
   result->isResolved = sweep.isResolved();
   result->target = target;

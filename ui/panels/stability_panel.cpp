@@ -13,6 +13,7 @@
 #include "ui/control/run_words.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/trade_words.h"
+#include "ui/files/lessons.h"
 #include "ui/panels/export_message.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/task_row.h"
@@ -111,7 +112,7 @@ void StabilityPanel::compute() {
   const core::MapQuantity quantity = quantityIn(*m_quantity);
   const double until = m_time;
   auto result = std::make_shared<Result>();
-  result->sceneName = QString::fromStdString(scene->name);
+  result->sceneName = titleOf(*scene);
   m_task->start(
       [=](const core::Progress& progress) {
         constexpr double kShareOfSteps = 0.1;

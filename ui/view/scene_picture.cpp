@@ -11,6 +11,7 @@
 #include <QPdfWriter>
 #include <QSvgGenerator>
 
+#include "ui/files/lessons.h"
 #include "ui/files/output_file.h"
 #include "ui/view/camera.h"
 #include "ui/view/qpainter_renderer.h"
@@ -59,8 +60,7 @@ Picture pictureOf(const ShownScene& shown, const Trails& trails, QSize size,
   look.headerHeight = lineHeight(titleFont) + kEdge;
 
   Picture picture;
-  picture.title = shown.scene.name.empty() ? ScenePicture::tr("Scene")
-                                           : QString::fromStdString(shown.scene.name);
+  picture.title = shown.scene.name.empty() ? ScenePicture::tr("Scene") : titleOf(shown.scene);
   picture.size = size;
   picture.camera.setViewport(size, devicePixelRatio);
   picture.camera.fit(QSizeF(shown.scene.room.width, shown.scene.room.height),
