@@ -22,6 +22,7 @@ class Words {
   ///              as long as the words live
   template <class Make>
   requires std::is_invocable_r_v<QString, Make> Words(Make make) : m_make(std::move(make)) {}
+  // NOLINTEND(google-explicit-constructor)
 
   /// In the language in force.
   QString text() const { return m_make ? m_make() : QString(); }
