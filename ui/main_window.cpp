@@ -39,6 +39,10 @@ MainWindow::MainWindow(const core::Scene& scene, const QString& file, QWidget* p
   setWindowIcon(icon("angrycuts"));
   takeUsualSize();
   new SceneDrop(m_bench->files(), this);
+  // Before any face hears of it: what that arranges anew may resize the scene, whose old runs
+  // are gone.
+  connect(m_bench->controller(), &RunController::restarted, m_area,
+          [this] { m_area->setRuns(m_bench->controller()->runs()); });
   makeFace();
   m_bench->start();
   memory().restore();

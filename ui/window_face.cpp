@@ -191,9 +191,6 @@ void WindowFace::connectPlayback() {
 
 void WindowFace::connectScene() {
   RunController* controller = m_bench->controller();
-  // Before anything draws the new runs: the old ones are gone.
-  connect(controller, &RunController::restarted, this,
-          [this, controller] { m_area->setRuns(controller->runs()); });
   connect(controller, &RunController::restarted, this, &WindowFace::listRuns);
   connect(controller, &RunController::restarted, this, &WindowFace::showStopped);
   SceneEditor* editor = m_bench->editor();
