@@ -110,12 +110,15 @@ void Engine::Group::addHit(int a, int b, const Eigen::Vector2d& normal, double r
 ///
 /// Where a bounded number of sweeps leaves slow motions of a large heap unsolved, its pushes lag
 /// behind. Gaps widened at once would then be widened too far: the heap would breathe and never
-/// come to rest. Widened slowly enough they settle.
+/// come to rest. So in a calm one they are widened slowly, and not at all while most of the skin
+/// is left.
 double Engine::Group::widened(double gap) const {
-  if (!m_widens) return std::min(0.0, gap + m_engine.skin() / 2);
-  const double overlap = std::min(0.0, gap + m_engine.skin());
+  const double skin = m_engine.skin();
+  if (!m_widens) return std::min(0.0, gap + skin / 2);
+  const double overlap = std::min(0.0, gap + skin);
+  const double narrow = gap - overlap;
   const double looseness = m_engine.looseness();
-  return overlap + (gap - overlap) / (looseness * looseness);
+  return overlap + narrow / (looseness * looseness);
 }
 
 void Engine::Group::addContact(const RestingContact& contact, int key) {
@@ -156,10 +159,16 @@ void Engine::Group::solve(const ContactGoal& goal) {
   }
 }
 
+/// Whether it has left the group, so that its contacts are foreseen like anybody's.
+bool Engine::Group::isLetGo(int local) const {
+  return !support.empty() && support[local] != Support::kOthers;
+}
+
 /// How much too fast the two of a contact approach each other [m/s]; 0 unless that leads deep
 /// inside.
 double Engine::Group::excessAt(int index) const {
   const RestingContact& contact = contacts[index];
+  if (isLetGo(contact.a) || (contact.b >= 0 && isLetGo(contact.b))) return 0;
   const Eigen::Vector2d still = Eigen::Vector2d::Zero();
   const Eigen::Vector2d& other = contact.b < 0 ? still : weights[contact.b].velocity;
   const double closing = (other - weights[contact.a].velocity).dot(contact.normal);

@@ -85,6 +85,7 @@ class Engine::Group {
 
  private:
   double reachAt(double speed) const;
+  bool isLetGo(int local) const;
   double excessAt(int contact) const;
   double kineticEnergy() const;
   void lookAt(int local, int other);
