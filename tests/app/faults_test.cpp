@@ -104,21 +104,21 @@ void FaultsTest::saysThatAFolderIsReadOnly_data() {
     QTest::newRow(call) << QString(call) << QString(file);
   };
   for (const char* option : {"--trajectory", "--energy", "--events"}) {
-    QTest::newRow(option) << QString("simulate pile %1 /sys/kernel/rows.csv").arg(option)
-                          << "/sys/kernel/rows.csv";
+    QTest::newRow(option) << QString("simulate pile %1 /dev/pts/rows.csv").arg(option)
+                          << "/dev/pts/rows.csv";
   }
-  row("simulate pile --chart /sys/kernel/chart.png", "/sys/kernel/chart.png");
-  row("measure pile --csv /sys/kernel/rows.csv", "/sys/kernel/rows.csv");
-  row("measure pile --chart /sys/kernel/chart.svg", "/sys/kernel/chart.svg");
-  row("scenes --export /sys/kernel", "/sys/kernel/one-pendulum.json");
-  row("scenes --export /sys/kernel/folder", "/sys/kernel/folder");
+  row("simulate pile --chart /dev/pts/chart.png", "/dev/pts/chart.png");
+  row("measure pile --csv /dev/pts/rows.csv", "/dev/pts/rows.csv");
+  row("measure pile --chart /dev/pts/chart.svg", "/dev/pts/chart.svg");
+  row("scenes --export /dev/pts", "/dev/pts/one-pendulum.json");
+  row("scenes --export /dev/pts/folder", "/dev/pts/folder");
   row("pile", "angrycuts-trajectory.csv");
 }
 
 void FaultsTest::saysThatAFolderIsReadOnly() {
   QFETCH(QString, call);
   QFETCH(QString, file);
-  const Outcome outcome = run("unset DISPLAY WAYLAND_DISPLAY; cd /sys/kernel; \"$1\" " + call);
+  const Outcome outcome = run("unset DISPLAY WAYLAND_DISPLAY; cd /dev/pts; \"$1\" " + call);
   const QString line = "\\Aangrycuts: " + QRegularExpression::escape(file) +
                        ": (Permission denied|Read-only file system|the folder cannot be made)\n\\z";
   QVERIFY2(QRegularExpression(line).match(outcome.error).hasMatch(), outcome.error);
