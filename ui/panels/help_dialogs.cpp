@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include "ui/control/version.h"
@@ -20,9 +21,21 @@ struct Words {
   Q_DECLARE_TR_FUNCTIONS(ui::HelpDialogs)
 };
 
-// Of the screen's height that the keys may take: title, button and margins need some, too.
+// Of the screen's height and width that the keys may take: title, button and margins need some.
 constexpr double kKeysShare = 0.84;
 constexpr double kMostShare = 0.97;
+constexpr double kTaller = 1.25;   // from one try to the next
+constexpr double kTallest = 10.0;  // in one column
+
+/// As high as there is room for, or higher where it is too wide then: whoever scrolls, scrolls
+/// down.
+KeysPage* keysPageFor(const Commands& commands, const QSize& room) {
+  for (double share = 1;; share *= kTaller) {
+    auto* page = new KeysPage(commands, static_cast<int>(room.height() * share));
+    if (page->sizeHint().width() <= room.width() || share > kTallest) return page;
+    delete page;
+  }
+}
 
 }  // namespace
 
@@ -30,9 +43,12 @@ void showKeys(const Commands& commands, QWidget* window) {
   QDialog dialog(window);
   dialog.setWindowTitle(Words::tr("Keys"));
   const QSize available = window->screen()->availableSize();
-  auto* page = new KeysPage(commands, static_cast<int>(available.height() * kKeysShare));
+  const QSize most(static_cast<int>(available.width() * kMostShare),
+                   static_cast<int>(available.height() * kKeysShare));
+  const QSize bar(dialog.style()->pixelMetric(QStyle::PM_ScrollBarExtent), 0);
+  KeysPage* page = keysPageFor(commands, most - bar);
   auto* area = new FormArea(page);
-  area->setMinimumSize(page->sizeHint().boundedTo(available * kMostShare));
+  area->setMinimumSize((page->sizeHint() + bar).boundedTo(most));
   auto* layout = new QVBoxLayout(&dialog);
   layout->addWidget(area);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
