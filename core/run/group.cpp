@@ -110,15 +110,13 @@ void Engine::Group::addHit(int a, int b, const Eigen::Vector2d& normal, double r
 ///
 /// Where a bounded number of sweeps leaves slow motions of a large heap unsolved, its pushes lag
 /// behind. Gaps widened at once would then be widened too far: the heap would breathe and never
-/// come to rest. So in a calm one they are widened slowly, and not at all while most of the skin
-/// is left.
+/// come to rest. Widened slowly enough they settle.
 double Engine::Group::widened(double gap) const {
   const double skin = m_engine.skin();
   if (!m_widens) return std::min(0.0, gap + skin / 2);
   const double overlap = std::min(0.0, gap + skin);
-  const double narrow = gap - overlap;
   const double looseness = m_engine.looseness();
-  return overlap + narrow / (looseness * looseness);
+  return overlap + (gap - overlap) / (looseness * looseness);
 }
 
 void Engine::Group::addContact(const RestingContact& contact, int key) {
