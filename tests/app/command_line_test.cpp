@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "tests/app/thrown_scene.h"
 #include "tests/support/called_program.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/file_content.h"
@@ -7,15 +8,6 @@
 using tests::contentOf;
 using tests::csvTableIn;
 using tests::Outcome;
-
-namespace {
-
-// A weight in flight without air: every step of RK4 is exact but for rounding.
-const QByteArray kThrown = R"({"format": "angry-cuts/scene", "version": 1, "gravity": 10,
-    "airDensity": 0, "room": {"width": 10, "height": 10, "restitution": 0.5},
-    "weights": [{"mass": 2, "radius": 0.5, "position": [1, 5.5], "velocity": [1, 0]}]})";
-
-}  // namespace
 
 /// What all calls of the program share.
 class CommandLineTest : public QObject {
@@ -37,7 +29,7 @@ class CommandLineTest : public QObject {
 };
 
 void CommandLineTest::initTestCase() {
-  m_program.write("thrown.json", kThrown);
+  m_program.write("thrown.json", tests::kThrown);
 }
 
 void CommandLineTest::helpNamesEveryCallAndOption() {

@@ -1,18 +1,10 @@
 #include <QtTest>
 
+#include "tests/app/thrown_scene.h"
 #include "tests/support/called_program.h"
 #include "ui/files/scene_file.h"
 
 using tests::Outcome;
-
-namespace {
-
-// A weight in flight without air: every step of RK4 is exact but for rounding.
-const QByteArray kThrown = R"({"format": "angry-cuts/scene", "version": 1, "gravity": 10,
-    "airDensity": 0, "room": {"width": 10, "height": 10, "restitution": 0.5},
-    "weights": [{"mass": 2, "radius": 0.5, "position": [1, 5.5], "velocity": [1, 0]}]})";
-
-}  // namespace
 
 /// `angrycuts scenes`, called as a user calls it.
 class ScenesCommandTest : public QObject {
@@ -30,7 +22,7 @@ class ScenesCommandTest : public QObject {
 };
 
 void ScenesCommandTest::initTestCase() {
-  m_thrown = m_program.write("thrown.json", kThrown);
+  m_thrown = m_program.write("thrown.json", tests::kThrown);
 }
 
 void ScenesCommandTest::listsScenesWithOneSentenceEach() {

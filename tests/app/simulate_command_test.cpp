@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "tests/app/thrown_scene.h"
 #include "tests/support/called_program.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/file_content.h"
@@ -11,11 +12,6 @@ using tests::csvTableIn;
 using tests::Outcome;
 
 namespace {
-
-// A weight in flight without air: every step of RK4 is exact but for rounding.
-const QByteArray kThrown = R"({"format": "angry-cuts/scene", "version": 1, "gravity": 10,
-    "airDensity": 0, "room": {"width": 10, "height": 10, "restitution": 0.5},
-    "weights": [{"mass": 2, "radius": 0.5, "position": [1, 5.5], "velocity": [1, 0]}]})";
 
 // Cut at once: phases and the event at the start can be seen.
 const QByteArray kHanging = R"({"format": "angry-cuts/scene", "version": 1, "cutTime": 0.25,
@@ -70,7 +66,7 @@ class SimulateCommandTest : public QObject {
 };
 
 void SimulateCommandTest::initTestCase() {
-  m_thrown = m_program.write("thrown.json", kThrown);
+  m_thrown = m_program.write("thrown.json", tests::kThrown);
   m_hanging = m_program.write("hanging.json", kHanging);
   m_exploding = m_program.write("exploding.json", kExploding);
 }

@@ -21,16 +21,12 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include "tests/support/hidden_panel.h"
+
 namespace tests {
 namespace {
 
 constexpr int kMostSteps = 500;  // of Tab, before it should have come round
-
-bool isBehindATab(const QWidget* widget) {
-  while (widget && !qobject_cast<const QDockWidget*>(widget)) widget = widget->parentWidget();
-  const auto* dock = qobject_cast<const QDockWidget*>(widget);
-  return dock && !dock->widget()->isVisible();
-}
 
 /// Qt's own parts of a widget are named with it.
 bool isPartOfAnother(const QWidget* widget) {

@@ -15,4 +15,11 @@ inline core::Scene swingingScene(int count = 3, double angle = 0.5) {
   return scene;
 }
 
+/// Three weights that swing, are cut at 1.5 s, fall and bounce.
+inline core::Scene cutSwings() {
+  core::Scene scene = swingingScene(3, 0.3);
+  scene.cutTime = 1.5;
+  return scene;
+}
+
 }  // namespace tests

@@ -2,7 +2,6 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,6 +16,8 @@
 #include <QTextDocument>
 #include <QToolButton>
 #include <QWidget>
+
+#include "tests/support/hidden_panel.h"
 
 namespace tests {
 namespace {
@@ -35,13 +36,6 @@ class FitCheck {
   }
 
  private:
-  /// Qt leaves panels that stand behind another one as they were when they were seen last.
-  static bool isBehindATab(const QWidget* widget) {
-    while (widget && !qobject_cast<const QDockWidget*>(widget)) widget = widget->parentWidget();
-    const auto* dock = qobject_cast<const QDockWidget*>(widget);
-    return dock && !dock->widget()->isVisible();
-  }
-
   void look(const QWidget& widget) {
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) lookAt(*label);
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) lookAt(*button);

@@ -15,6 +15,7 @@
 #include <QTimer>
 
 #include "tests/support/access_check.h"
+#include "tests/support/settle.h"
 #include "ui/control/chart_size_dialog.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
@@ -25,14 +26,11 @@
 #include "ui/view/scene_area.h"
 #include "ui/view/scene_view.h"
 
+using tests::settle;
 using ui::Command;
 using ui::MainWindow;
 
 namespace {
-
-void settle() {
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
-}
 
 QByteArray listed(QStringList lines) {
   lines.removeDuplicates();

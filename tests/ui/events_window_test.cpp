@@ -24,16 +24,9 @@ using tests::isImpact;
 
 namespace {
 
-/// Three weights that swing, are cut at 1.5 s, fall and bounce.
-core::Scene cutSwings() {
-  core::Scene scene = tests::swingingScene(3, 0.3);
-  scene.cutTime = 1.5;
-  return scene;
-}
-
 class Window : public tests::ShownWindow {
  public:
-  Window() : ShownWindow(cutSwings()) {}
+  Window() : ShownWindow(tests::cutSwings()) {}
 
   void showEvents() {
     findChild<QDockWidget*>("events")->raise();

@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "tests/support/fingerprint.h"
+#include "tests/support/settle.h"
 #include "ui/chart/chart_widget.h"
 #include "ui/control/commands.h"
 #include "ui/control/event_navigator.h"
@@ -30,15 +31,12 @@
 #include "ui/view/camera.h"
 #include "ui/view/scene_area.h"
 
+using tests::settle;
 using ui::Command;
 using ui::Language;
 using ui::MainWindow;
 
 namespace {
-
-void settle() {
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
-}
 
 /// Lets this much time pass, whatever the clock on the wall says.
 void pass(MainWindow& window, double seconds) {

@@ -15,6 +15,7 @@
 #include <QToolButton>
 
 #include "tests/support/controlled_runs.h"
+#include "tests/support/settle.h"
 #include "tests/support/shown_window.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
@@ -183,7 +184,7 @@ void PresentationTest::restoresTheLayoutExactly() {
   LessonWindow window;
   prepare(window);
   // What is laid out anew asks for more of it.
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  tests::settle();
   const QByteArray layout = window.saveState();
   const QRect geometry = window.geometry();
   const auto places = window.places();
@@ -191,7 +192,7 @@ void PresentationTest::restoresTheLayoutExactly() {
   QVERIFY(window.presentation()->isOn());
   window.press(Qt::Key_Escape);
   QVERIFY(!window.presentation()->isOn());
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  tests::settle();
   QCOMPARE(window.geometry(), geometry);
   QCOMPARE(window.saveState(), layout);
   const auto restored = window.places();

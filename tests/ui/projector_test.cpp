@@ -21,6 +21,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "tests/support/settle.h"
 #include "tests/support/shown_window.h"
 #include "ui/chart/chart_look.h"
 #include "ui/control/commands.h"
@@ -68,7 +69,7 @@ class ProjectedWindow : public tests::ShownWindow {
   void choose(const QString& words) {
     for (QAction* action : findChildren<QAction*>())
       if (action->text().remove('&') == words) action->trigger();
-    for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+    tests::settle();
   }
 };
 
@@ -226,7 +227,7 @@ void ProjectorTest::textSizeIsChosenLiveAndRemembered() {
 
 void ProjectorTest::textCanShrinkAgain() {
   ProjectedWindow window;
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  tests::settle();
   const QSize least = window.minimumSizeHint();
   window.choose("Very large");
   QVERIFY(window.minimumSizeHint() != least);

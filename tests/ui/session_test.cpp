@@ -28,6 +28,7 @@
 
 #include "tests/support/fingerprint.h"
 #include "tests/support/impacts.h"
+#include "tests/support/settle.h"
 #include "tests/support/shown_window.h"
 #include "tests/support/window_hand.h"
 #include "ui/control/run_controller.h"
@@ -44,6 +45,7 @@
 
 using core::EventKind;
 using tests::isImpact;
+using tests::settle;
 
 namespace {
 
@@ -79,10 +81,6 @@ class Window : public tests::ShownWindow {
     QApplication::setActiveWindow(this);
     if (!QTest::qWaitForWindowActive(this)) qFatal("the window is not active");
     settle();
-  }
-  /// While nothing plays: the clock on the wall plays no part.
-  static void settle() {
-    for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
   }
   void pass(int frames) const {
     for (int i = 0; i < frames; ++i) controller()->passTime(kFrame);
@@ -240,10 +238,10 @@ void SessionTest::stepsBackToTheFirstImpact(Window& window) {
   straight.goTo(impacts.front());
   QVERIFY(m_impact == momentOf(straight));
 
-  Window::settle();
+  settle();
   QVERIFY(window.says(QString("%1 s").arg(impacts.front(), 0, 'f', 3)));
   window.findChild<QDockWidget*>("events")->raise();
-  Window::settle();
+  settle();
   const auto* list = window.findChild<ui::EventsPanel*>()->findChild<QTableView*>();
   const auto& events = window.controller()->recording(0).eventLog().events();
   const core::Event& marked = events[static_cast<std::size_t>(list->currentIndex().row())];
@@ -251,7 +249,7 @@ void SessionTest::stepsBackToTheFirstImpact(Window& window) {
   QCOMPARE(marked.time, impacts.front());
 
   window.findChild<QDockWidget*>("charts")->raise();
-  Window::settle();
+  settle();
 
   window.press(Qt::Key_End);
   QVERIFY(window.moment() == end);
@@ -302,7 +300,7 @@ void SessionTest::undoesAChange(Window& window) {
   const Eigen::Vector2d pivot = before.weights[1].rope->pivot;
   const Eigen::Vector2d down = pivot - Eigen::Vector2d(0, before.weights[1].rope->length);
   hand.drag(weight, down);
-  Window::settle();
+  settle();
   // Where a pixel lies, seen from the pivot.
   const double grain = 2 * hand.grain() / before.weights[1].rope->length;
   QVERIFY(std::abs(window.controller()->scene().weights[1].rope->angle) < grain);
@@ -327,13 +325,13 @@ void SessionTest::playsTheSameAgain(Window& window) {
 }
 
 void SessionTest::presents(Window& window) {
-  Window::settle();
+  settle();
   const QByteArray layout = window.saveState();
   const QRect geometry = window.geometry();
   const QStringList panels = window.visiblePanels();
   QVERIFY(panels.contains("runs"));
   window.press(Qt::Key_F11);
-  Window::settle();
+  settle();
   QVERIFY(window.isFullScreen());
   QVERIFY(window.findChild<ui::SceneArea*>()->isVisible());
   QCOMPARE(window.visiblePanels(), QStringList("charts"));
@@ -343,7 +341,7 @@ void SessionTest::presents(Window& window) {
   QVERIFY(window.moment() == m_impact);
 
   window.press(Qt::Key_Escape);
-  Window::settle();
+  settle();
   QVERIFY(!window.isFullScreen());
   QCOMPARE(window.visiblePanels(), panels);
   QCOMPARE(window.geometry(), geometry);

@@ -12,6 +12,7 @@
 #include <QToolButton>
 
 #include "tests/support/offscreen_screen.h"
+#include "tests/support/settle.h"
 #include "ui/chart/chart_widget.h"
 #include "ui/control/run_controller.h"
 #include "ui/files/scene_file.h"
@@ -74,7 +75,7 @@ void SmallScreenTest::fitsTheScreen() {
   window.show();
   window.findChild<QDockWidget*>(panel)->raise();
   window.controller()->stepOnce();
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  tests::settle();
   const QSize least = window.minimumSizeHint();
   const QSize room = kScreen - QSize(0, kTitleBar);
   QVERIFY2(least.boundedTo(room) == least, qPrintable(describe(least)));
@@ -85,7 +86,7 @@ void SmallScreenTest::cutsNothingOff() {
   window.setWindowState(Qt::WindowNoState);
   window.resize(kScreen - QSize(0, kTitleBar));
   window.show();
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  tests::settle();
   QCOMPARE(window.size(), kScreen - QSize(0, kTitleBar));
   for (const ui::FormArea* form : window.findChildren<ui::FormArea*>())
     if (form->isVisible()) QVERIFY(form->viewport()->width() >= form->widget()->width());
@@ -107,7 +108,7 @@ void SmallScreenTest::namesCurvesBesideTheEnergies() {
   window.resize(kScreen - QSize(0, kTitleBar));
   window.show();
   window.controller()->stepOnce();
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  tests::settle();
   const ui::ChartWidget& chart = *window.charts()->chart();
   int beside = 0;
   for (int x = 0; x < chart.width(); ++x)
@@ -124,7 +125,7 @@ void SmallScreenTest::saysInPlaceOfTheSpeedHowSlowItIs() {
   window.setWindowState(Qt::WindowNoState);
   window.resize(kScreen - QSize(0, kTitleBar));
   window.show();
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  tests::settle();
   auto* bar = window.findChild<ui::PlaybackBar*>();
   const auto* pace = bar->findChild<QLabel*>("pace");
   const auto says = [bar](const QString& words) {

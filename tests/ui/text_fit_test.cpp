@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
-#include <QFile>
 #include <QLabel>
 #include <QPushButton>
 #include <QScreen>
@@ -16,6 +15,8 @@
 #include <QTest>
 #include <QTimer>
 
+#include "tests/support/offscreen_screen.h"
+#include "tests/support/settle.h"
 #include "ui/control/chart_size_dialog.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
@@ -27,6 +28,7 @@
 #include "ui/panels/lesson_chooser.h"
 #include "ui/panels/trade_window.h"
 
+using tests::settle;
 using ui::Command;
 using ui::Language;
 using ui::MainWindow;
@@ -35,15 +37,6 @@ namespace {
 
 constexpr QSize kScreen(1280, 720);
 constexpr int kTitleBar = 24;  // px, of the desktop's frame
-
-/// As the platform of tests wants to be told what screens there are.
-const char* const kScreens =
-    R"({"screens": [{"name": "projector", "x": 0, "y": 0, "width": 1280, "height": 720,
-        "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}]})";
-
-void settle() {
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
-}
 
 void addLanguages() {
   QTest::addColumn<Language>("language");
@@ -79,10 +72,7 @@ class TextFitTest : public QObject {
 
 void TextFitTest::initMain() {
   static const QTemporaryDir folder;
-  QFile screens(folder.filePath("screens.json"));
-  if (!screens.open(QIODevice::WriteOnly)) qFatal("no screen");
-  screens.write(kScreens);
-  qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + screens.fileName().toUtf8());
+  tests::useScreen(kScreen);
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
 }
 

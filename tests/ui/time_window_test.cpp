@@ -32,16 +32,9 @@ using ui::MainWindow;
 
 namespace {
 
-/// Three weights that swing, are cut at 1.5 s, fall and bounce.
-core::Scene cutSwings() {
-  core::Scene scene = tests::swingingScene(3, 0.3);
-  scene.cutTime = 1.5;
-  return scene;
-}
-
 class Window : public tests::ShownWindow {
  public:
-  Window() : ShownWindow(cutSwings()) {}
+  Window() : ShownWindow(tests::cutSwings()) {}
 };
 
 }  // namespace
@@ -165,7 +158,7 @@ void TimeWindowTest::goesToStartAndEndByKey() {
 
 void TimeWindowTest::playsTheRecordAgainAndGoesOn() {
   ui::RunController straight([] { return 0.0; });
-  straight.setScene(std::make_shared<core::Scene>(cutSwings()));
+  straight.setScene(std::make_shared<core::Scene>(tests::cutSwings()));
   straight.goTo(2);
   Window window;
   window.controller()->goTo(1.5);

@@ -9,6 +9,7 @@
 #include <QXmlStreamReader>
 
 #include "tests/support/file_content.h"
+#include "tests/support/settle.h"
 #include "tests/ui/chart/recorded_scene.h"
 #include "ui/chart/chart_export.h"
 #include "ui/chart/chart_kind.h"
@@ -114,7 +115,7 @@ void ChartSizesTest::hasRoomForItsCurvesInALowWindow() {
   plot->setSubject(kindOf(kind),
                    m_scene.subject(ofAll ? std::vector{0, 1, 2, 3, 4, 5, 6} : std::vector{0}));
   chart->resize(size);
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  tests::settle();
   QVERIFY2(chart->plotArea().height() >= 0.4 * size.height(),
            qPrintable(QString::number(chart->plotArea().height())));
   QVERIFY(chart->plotArea().width() >= size.width() / 3);
