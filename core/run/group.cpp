@@ -186,16 +186,19 @@ double Engine::Group::kineticEnergy() const {
 }
 
 double Engine::Group::stopUnsolved() {
+  const int count = static_cast<int>(contacts.size());
+  bool isSolved = true;
+  for (int i = 0; isSolved && i < count; ++i) isSolved = excessAt(i) == 0;
+  if (isSolved) return 0;  // as nearly always
   const double before = kineticEnergy();
   std::vector<char> stands(members.size(), 0);
   const auto stop = [&](int local) {
     weights[local].velocity.setZero();
     stands[local] = 1;
   };
-  bool isSolved = false;
   for (int round = 0; !isSolved; ++round) {
     isSolved = true;
-    for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
+    for (int i = 0; i < count; ++i) {
       const double excess = excessAt(i);
       if (excess == 0) continue;
       isSolved = false;
