@@ -10,12 +10,7 @@ constexpr int kMostCellsPerBox = 64;
 
 }  // namespace
 
-void BroadPhase::rebuild(const std::vector<Box>& boxes) {
-  m_boxes = boxes;
-  fill();
-}
-
-void BroadPhase::fill() {
+void BroadPhase::rebuild() {
   chooseCells();
   m_heads.assign(static_cast<std::size_t>(m_columns) * m_rows, -1);
   m_entries.clear();
@@ -27,10 +22,9 @@ void BroadPhase::fill() {
   m_entriesWhenFilled = entryCount();
 }
 
-void BroadPhase::move(int weight, const Box& box) {
-  m_boxes[weight] = box;
+void BroadPhase::move(int weight) {
   enter(weight);
-  if (entryCount() > 2 * m_entriesWhenFilled + kMostCellsPerBox) fill();
+  if (entryCount() > 2 * m_entriesWhenFilled + kMostCellsPerBox) rebuild();
 }
 
 void BroadPhase::enter(int weight) {

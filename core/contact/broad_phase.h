@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// Uniform grid over boxes: which weights may meet at all.
+/// Uniform grid over boxes, which somebody else holds: which weights may meet at all.
 ///
 /// A box that covers more cells than it is worth is kept in a list of its own and offered
 /// to everybody. Moving a weight leaves its old box behind for a while: a query may name
@@ -16,11 +16,14 @@ namespace core {
 /// of moves.
 class BroadPhase {
  public:
-  /// Starts anew with one box per weight.
-  void rebuild(const std::vector<Box>& boxes);
+  /// @param boxes  one per weight, to outlive this
+  explicit BroadPhase(const std::vector<Box>& boxes) : m_boxes(boxes) {}
 
-  /// Moves that weight to another box.
-  void move(int weight, const Box& box);
+  /// Starts anew with the boxes as they are.
+  void rebuild();
+
+  /// To be called when that weight's box has changed.
+  void move(int weight);
 
   /// Calls `use(other)` once for each weight whose cells meet those of `box`, in an order
   /// that depends on the boxes alone.
@@ -59,12 +62,11 @@ class BroadPhase {
   }
 
   Cells cellsOf(const Box& box) const;
-  void fill();
   void chooseCells();
   void enter(int weight);
   std::size_t entryCount() const { return m_entries.size() + m_large.size(); }
 
-  std::vector<Box> m_boxes;  // one per weight
+  const std::vector<Box>& m_boxes;
   Eigen::Vector2d m_origin{0, 0};
   double m_cell = 1;  // edge of a cell [m]
   int m_columns = 1;

@@ -96,8 +96,8 @@ bool Engine::mayGoOn(double s) {
 
 void Engine::beginStep() {
   m_before = m_now;
-  m_earlierEvents.swap(m_events);
-  m_events.swap(m_now.pending);
+  if (m_progress) m_earlierEvents.swap(m_events);
+  m_events = m_now.pending;
   m_now.pending.clear();
   m_eventMoments.assign(m_events.size(), 0);
   m_quietLosses.clear();
@@ -136,7 +136,7 @@ bool Engine::stepAll() {
     if (together ? !isFinite(i) : !fill(i)) return false;
     m_boxes[i] = boxOf(m_bodies[i], piece, piece.begin, piece.end);
   }
-  m_broadPhase.rebuild(m_boxes);
+  m_broadPhase.rebuild();
   return true;
 }
 
@@ -244,7 +244,7 @@ void Engine::finishStep() {
 }
 
 void Engine::abandonStep(RunStatus status) {
-  m_now = m_before;
+  static_cast<Progress&>(m_now) = m_before;
   m_stepper.setEvaluations(m_now.evaluations);
   m_moving.clear();
   m_events.clear();

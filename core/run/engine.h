@@ -200,8 +200,8 @@ class Engine {
   double m_startEnergy = 0;
 
   RunStatus m_status = RunStatus::kRunning;
-  EngineState m_now;     // at time()
-  EngineState m_before;  // at the start of the latest step
+  EngineState m_now;  // at time(); its weights as they are until a step is finished
+  Progress m_before;  // at the start of the latest step
 
   // The latest step.
   std::vector<Moving> m_moving;
@@ -210,10 +210,10 @@ class Engine {
   int m_settledCount = 0;       // awake, when forces were found anew
   std::vector<int> m_localOf;   // of weights in the group being solved, or −1
   std::vector<Box> m_boxes;
-  BroadPhase m_broadPhase;
+  BroadPhase m_broadPhase{m_boxes};
   EventQueue m_queue;
   std::vector<Event> m_events;
-  std::vector<Event> m_earlierEvents;  // of the step before
+  std::vector<Event> m_earlierEvents;  // of the step before one that may be given up
   std::vector<QuietLoss> m_quietLosses;
   std::vector<double> m_eventMoments;  // of m_events, from the start of the step [s]
   std::int64_t m_ownSteps = 0;         // of adaptive methods, all weights together

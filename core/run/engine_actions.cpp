@@ -57,7 +57,7 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
   ++moving.stamp;
   if (!fill(index)) return;
   m_boxes[index] = boxOf(m_bodies[index], moving.piece, s, moving.piece.end);
-  m_broadPhase.move(index, m_boxes[index]);
+  m_broadPhase.move(index);
 }
 
 void Engine::goOn(int index, double s, const Entries& before, Mode mode, const Entries& after) {

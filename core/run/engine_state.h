@@ -34,16 +34,20 @@ struct CarriedContact {
   double drag;  ///< [N s]
 };
 
-/// Everything that decides how a run goes on, between two steps.
-struct EngineState {
+/// How far a run has come, but for its weights.
+struct Progress {
   std::int64_t stepCount = 0;
   std::int64_t evaluations = 0;
   Losses losses;
   bool cutTimePassed = false;
-  std::vector<WeightRecord> weights;
   std::vector<CarriedContact> contacts;  ///< in order of (a, b)
   std::vector<Pace> paces;               ///< of the weights; empty unless the method is adaptive
   std::vector<Event> pending;            ///< cuts by hand, to be listed with the coming step
+};
+
+/// Everything that decides how a run goes on, between two steps.
+struct EngineState : Progress {
+  std::vector<WeightRecord> weights;
 };
 
 }  // namespace core

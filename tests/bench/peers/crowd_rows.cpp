@@ -26,10 +26,10 @@ double memoryHeld() {
   return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-/// Of a world after some steps [bytes].
+/// Of a world after some steps, with what it keeps of the scene it was made from [bytes].
 double memoryOf(const Engine& engine, int count) {
-  const double before = memoryHeld();
   const core::Scene scene = crowdWithoutAir(count);
+  const double before = memoryHeld();
   const auto world = engine.make(scene, engine.options);
   for (int i = 0; i < 10; ++i) world->step();
   return memoryHeld() - before;
