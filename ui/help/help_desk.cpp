@@ -31,6 +31,11 @@ HelpDesk::~HelpDesk() {
   delete m_tour;
 }
 
+std::optional<HelpWindow::Place> HelpDesk::place() const {
+  if (!m_book || !m_book->isVisible()) return std::nullopt;
+  return m_book->place();
+}
+
 HelpWindow* HelpDesk::book() {
   if (!m_book) {
     m_book = new HelpWindow(m_face);

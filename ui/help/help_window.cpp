@@ -8,7 +8,6 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QEvent>
-#include <QFile>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -37,13 +36,6 @@ constexpr double kScreenShare = 0.94;
 constexpr int kPageMargin = 20;          // px
 constexpr int kItemPadding = 40;         // px: the list's frame and scroll bar
 constexpr double kContentsShare = 0.34;  // of the window, at most
-
-QString modelText() {
-  QFile file(QStringLiteral(":/core/model.md"));
-  const bool opened = file.open(QIODevice::ReadOnly);
-  Q_ASSERT(opened);
-  return opened ? QString::fromUtf8(file.readAll()) : QString();
-}
 
 bool isHeading(const QTextBlock& block) {
   return block.blockFormat().headingLevel() == 2;
@@ -123,6 +115,16 @@ void HelpWindow::bringUpSheet(const QString& lesson) {
   bringUp(Chapter::kSheets);
 }
 
+HelpWindow::Place HelpWindow::place() const {
+  return {saveGeometry(), chapter(), m_contents->currentRow()};
+}
+
+void HelpWindow::bringUp(const Place& place) {
+  bringUp(place.chapter);
+  restoreGeometry(place.geometry);
+  m_contents->setCurrentRow(place.row);
+}
+
 HelpWindow::Chapter HelpWindow::chapter() const {
   return static_cast<Chapter>(m_chapters->currentIndex());
 }
@@ -162,7 +164,7 @@ void HelpWindow::showText() {
       document = helpDocument(longText("help", "guide"), CodeMeans::kKeys, look);
       break;
     case Chapter::kModel:
-      document = helpDocument(modelText(), CodeMeans::kMath, look);
+      document = helpDocument(longText("help", "model"), CodeMeans::kMath, look);
       break;
     case Chapter::kSheets:
       document = helpDocument(longText("lessons", m_lesson), CodeMeans::kKeys, look);
@@ -196,7 +198,7 @@ std::unique_ptr<QTextDocument> HelpWindow::pagesForPaper() const {
     case Chapter::kGuide:
       return helpDocument(longText("help", "guide"), CodeMeans::kKeys, PageLook::onPaper());
     case Chapter::kModel:
-      return helpDocument(modelText(), CodeMeans::kMath, PageLook::onPaper());
+      return helpDocument(longText("help", "model"), CodeMeans::kMath, PageLook::onPaper());
     case Chapter::kSheets:
       break;
   }

@@ -11,6 +11,7 @@
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
 #include <QTemporaryDir>
@@ -24,6 +25,7 @@
 #include "core/scene/arrangement.h"
 #include "ui/control/commands.h"
 #include "ui/control/scene_editor.h"
+#include "ui/control/settings.h"
 #include "ui/files/lessons.h"
 #include "ui/files/long_text.h"
 #include "ui/files/scene_file.h"
@@ -96,6 +98,7 @@ class HelpWindowTest : public QObject {
  private slots:
   void initTestCase();
   void init();
+  void cleanup() { ui::speak(ui::Language::kEnglish); }
   void opensTheSheetOfTheLesson();
   void aButtonBesideTheLessonOpensItsSheet();
   void anOwnSceneOpensTheSheetsToo();
@@ -103,6 +106,8 @@ class HelpWindowTest : public QObject {
   void opensTheGuideAndTheModelByKeys();
   void drawsKeysIconsAndEquations();
   void goesToAHeading();
+  void goesOnInAnotherLanguage();
+  void needsNoMoreThanTheWidthOfASmallScreen();
   void staysBesideTheWindow();
   void isReadInLightAndDark();
   void everySheetIsOnePageInEveryLanguage();
@@ -192,6 +197,49 @@ void HelpWindowTest::goesToAHeading() {
   const QTextCursor top = help->page()->cursorForPosition(QPoint(40, 12));
   QVERIFY2(top.block().text() == "Rest" || top.block().next().text() == "Rest",
            qPrintable(top.block().text()));
+}
+
+void HelpWindowTest::goesOnInAnotherLanguage() {
+  ShownWindow window;
+  const HelpWindow* help = window.press(Qt::Key_M);
+  help->contents()->setCurrentRow(3);
+  const QString english = textOf(help);
+  QStringList titles{titleOf(help)};
+  for (const ui::Language language : {ui::Language::kSwedish, ui::Language::kGerman,
+                                      ui::Language::kFrench, ui::Language::kSpanish}) {
+    window.speak(language);
+    help = window.findChild<HelpWindow*>();
+    QVERIFY(help && help->isVisible());
+    QCOMPARE(help->contents()->currentRow(), 3);
+    QVERIFY(help->page()->verticalScrollBar()->value() > 0);
+    QVERIFY(textOf(help) != english);
+    titles << titleOf(help);
+  }
+  window.speak(ui::Language::kEnglish);
+  QCOMPARE(titles.join(' '), QString("The model Modellen Das Modell Le modèle El modelo"));
+  help = window.findChild<HelpWindow*>();
+  QCOMPARE(textOf(help), english);
+  // What is closed stays closed.
+  QTest::keyClick(window.findChild<HelpWindow*>(), Qt::Key_Escape);
+  window.speak(ui::Language::kGerman);
+  help = window.findChild<HelpWindow*>();
+  QVERIFY(!help || !help->isVisible());
+}
+
+void HelpWindowTest::needsNoMoreThanTheWidthOfASmallScreen() {
+  ShownWindow window;
+  window.press(Qt::Key_M);
+  for (int language = 1; language < ui::kLanguageCount; ++language) {
+    window.speak(static_cast<ui::Language>(language));
+    auto* help = window.findChild<HelpWindow*>();
+    help->resize(1120, 676);  // as on 1280 × 720
+    for (const auto chapter : {HelpWindow::Chapter::kGuide, HelpWindow::Chapter::kModel}) {
+      help->bringUp(chapter);
+      QCoreApplication::processEvents();
+      const QSizeF needed = help->page()->document()->size();  // lays out all of it
+      QVERIFY2(needed.width() <= help->page()->viewport()->width(), qPrintable(titleOf(help)));
+    }
+  }
 }
 
 void HelpWindowTest::staysBesideTheWindow() {
