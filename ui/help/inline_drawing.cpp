@@ -29,6 +29,8 @@ constexpr float kKeyShade = 0.12F;
 constexpr double kIconSize = 1.2;
 constexpr double kIconLowered = 0.15;  // of its own size, below the baseline
 constexpr double kDisplaySize = 1.15;
+constexpr double kTighter = 0.99;
+constexpr int kFittings = 10;
 
 QFontMetricsF metricsOf(const DrawingLook& look) {
   return look.device ? QFontMetricsF(look.font, look.device) : QFontMetricsF(look.font);
@@ -72,9 +74,12 @@ class DisplayedMath : public InlineDrawing {
     QFont font = look.font;
     font.setPointSizeF(font.pointSizeF() * kDisplaySize);
     MathPicture wanted = mathLines(m_lines, font, look.device);
-    if (look.room <= 0 || wanted.width <= look.room) return wanted;
-    font.setPointSizeF(font.pointSizeF() * look.room / wanted.width);
-    return mathLines(m_lines, font, look.device);
+    // Again and by a little more, as letters may come in some sizes only.
+    for (int i = 0; i < kFittings && look.room > 0 && wanted.width > look.room; ++i) {
+      font.setPointSizeF(font.pointSizeF() * kTighter * look.room / wanted.width);
+      wanted = mathLines(m_lines, font, look.device);
+    }
+    return wanted;
   }
 
   QStringList m_lines;
