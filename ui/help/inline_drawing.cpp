@@ -5,7 +5,9 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QFontMetricsF>
+#include <QGuiApplication>
 #include <QPainter>
+#include <QScreen>
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextFrame>
@@ -34,6 +36,12 @@ constexpr int kFittings = 10;
 
 QFontMetricsF metricsOf(const DrawingLook& look) {
   return look.device ? QFontMetricsF(look.font, look.device) : QFontMetricsF(look.font);
+}
+
+/// Documents keep their margins in pixels of the screen, whatever they are drawn on.
+double pixelsOfScreenOn(const QPaintDevice* device) {
+  if (!device) return 1;
+  return device->logicalDpiX() / QGuiApplication::primaryScreen()->logicalDotsPerInchX();
 }
 
 class InlineMath : public InlineDrawing {
@@ -155,7 +163,7 @@ DrawingLook InlineDrawings::lookOf(const QTextDocument* document, const QTextFor
   const QPaintDevice* device = document->documentLayout()->paintDevice();
   const QTextFrameFormat page = document->rootFrame()->frameFormat();
   const double margins = page.leftMargin() + page.rightMargin() + 2 * document->documentMargin();
-  return {font, m_color, device, document->textWidth() - margins};
+  return {font, m_color, device, document->textWidth() - margins * pixelsOfScreenOn(device)};
 }
 
 QSizeF InlineDrawings::intrinsicSize(QTextDocument* document, int, const QTextFormat& format) {

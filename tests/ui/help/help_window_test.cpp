@@ -2,15 +2,19 @@
 
 #include <algorithm>
 
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
+#include <QBuffer>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QPainter>
+#include <QPdfWriter>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
@@ -19,6 +23,8 @@
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextDocument>
+#include <QTextFrame>
+#include <QTextLayout>
 #include <QTimer>
 #include <QToolButton>
 
@@ -108,6 +114,7 @@ class HelpWindowTest : public QObject {
   void goesToAHeading();
   void goesOnInAnotherLanguage();
   void needsNoMoreThanTheWidthOfASmallScreen();
+  void needsNoMoreThanTheWidthOfPaper();
   void staysBesideTheWindow();
   void isReadInLightAndDark();
   void everySheetIsOnePageInEveryLanguage();
@@ -240,6 +247,30 @@ void HelpWindowTest::needsNoMoreThanTheWidthOfASmallScreen() {
       const QSizeF needed = help->page()->document()->size();  // lays out all of it
       QVERIFY2(needed.width() <= help->page()->viewport()->width(), qPrintable(titleOf(help)));
     }
+  }
+}
+
+void HelpWindowTest::needsNoMoreThanTheWidthOfPaper() {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter paper(&buffer);
+  paper.setPageSize(QPageSize(QPageSize::A4));
+  paper.setPageMargins(QMarginsF());
+  constexpr double kMargin = 2 / 2.54;  // inches: what QTextDocument::print() leaves
+  for (const QString& language : ui::languagesOf("help")) {
+    const auto pages = ui::helpDocument(ui::longText("help", "model", language),
+                                        ui::CodeMeans::kMath, ui::PageLook::onPaper());
+    pages->documentLayout()->setPaintDevice(&paper);
+    QTextFrameFormat margins = pages->rootFrame()->frameFormat();
+    margins.setMargin(kMargin * QGuiApplication::primaryScreen()->logicalDotsPerInch());
+    pages->rootFrame()->setFrameFormat(margins);
+    pages->setPageSize(QSizeF(paper.width(), paper.height()));
+    QVERIFY(pages->pageCount() > 3);
+    const double room = paper.width() - 2 * kMargin * paper.logicalDpiX();
+    for (QTextBlock block = pages->begin(); block.isValid(); block = block.next())
+      for (int i = 0; i < block.layout()->lineCount(); ++i)
+        QVERIFY2(block.layout()->lineAt(i).naturalTextWidth() <= room + 1,
+                 qPrintable(language + ": after " + block.previous().text()));
   }
 }
 
