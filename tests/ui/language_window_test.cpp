@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QSettings>
 #include <QTabBar>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -100,6 +101,7 @@ class LanguageWindowTest : public QObject {
   void offersWhatCanBeRecovered();
   void writesNumbersAsItsReadersDo();
   void staysInOnePieceWhenSwitchedOften();
+  void namesRunsWholeInTheComparison();
 
  private:
   QTemporaryDir m_settings;
@@ -346,6 +348,20 @@ void LanguageWindowTest::staysInOnePieceWhenSwitchedOften() {
     QVERIFY2(after[kind] <= before.value(kind),
              qPrintable(
                  QString("%1: %2, before %3").arg(kind).arg(after[kind]).arg(before.value(kind))));
+  }
+}
+
+void LanguageWindowTest::namesRunsWholeInTheComparison() {
+  UsedWindow window;
+  for (int language = 1; language < ui::kLanguageCount; ++language) {
+    window.speak(static_cast<Language>(language));
+    auto* dock = window.findChild<QDockWidget*>("comparison");
+    dock->raise();
+    settle();
+    const auto* table = dock->findChild<QTableWidget*>();
+    QVERIFY(table->isVisible() && table->rowCount() == 2);
+    const int needed = static_cast<const QAbstractItemView*>(table)->sizeHintForColumn(0);
+    QVERIFY2(table->columnWidth(0) >= needed, qPrintable(table->item(1, 0)->text()));
   }
 }
 

@@ -114,14 +114,12 @@ QToolButton* AccuracyPanel::exportButton() {
   return button;
 }
 
-QWidget* AccuracyPanel::resultArea() {
+QSplitter* AccuracyPanel::resultArea() {
   auto* splitter = new QSplitter(Qt::Horizontal);
   m_chart->setAccessibleName(tr("Error against cost or step"));
   m_chart->setToolTip(tr("Click a point to open it as a run"));
   splitter->addWidget(m_chart);
   splitter->addWidget(m_table);
-  constexpr int kChartShare = 600, kTableShare = 400;
-  splitter->setSizes({kChartShare, kTableShare});
   return splitter;
 }
 
@@ -143,11 +141,19 @@ void AccuracyPanel::show(std::shared_ptr<const core::Measurement> measurement,
   m_measurement = std::move(measurement);
   m_sceneName = sceneName;
   m_export->setEnabled(true);
-  m_results->show();
   m_chart->plot()->setTitle(sceneName);
   m_chart->plot()->setMeasurement(m_measurement);
   m_table->setMeasurement(*m_measurement);
+  if (m_results->isHidden()) divideRoom();
+  m_results->show();
   showFound();
+}
+
+/// The chart gets most of it, but the table what its first columns need.
+void AccuracyPanel::divideRoom() {
+  const int all = contentsRect().width() - m_results->handleWidth();
+  const int table = std::clamp(m_table->widthOfFirstColumns(), 2 * all / 5, all / 2);
+  m_results->setSizes({all - table, table});
 }
 
 /// What was measured belongs to another scene.

@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QLabel;
+class QSplitter;
 class QToolButton;
 
 namespace ui {
@@ -46,10 +47,11 @@ class AccuracyPanel : public QWidget {
  private:
   void buildControls();
   QToolButton* exportButton();
-  QWidget* resultArea();
+  QSplitter* resultArea();
   void show(std::shared_ptr<const core::Measurement> measurement, const QString& sceneName);
   void showAgainst();
   void showFound();
+  void divideRoom();
   void forget();
   QString suggested(const QString& ending) const;
 
@@ -62,7 +64,7 @@ class AccuracyPanel : public QWidget {
   QToolButton* m_export;
   TradeView<WorkPrecisionPlot>* m_chart;
   MeasurementTable* m_table;
-  QWidget* m_results;  // both, once there are any
+  QSplitter* m_results;  // both, once there are any
   QLabel* m_found;
   double m_time = 10;  // [s]
   QString m_sceneName;
