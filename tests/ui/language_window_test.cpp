@@ -352,16 +352,20 @@ void LanguageWindowTest::staysInOnePieceWhenSwitchedOften() {
 }
 
 void LanguageWindowTest::namesRunsWholeInTheComparison() {
-  UsedWindow window;
   for (int language = 1; language < ui::kLanguageCount; ++language) {
-    window.speak(static_cast<Language>(language));
+    ui::speak(static_cast<Language>(language));
+    UsedWindow window;
     auto* dock = window.findChild<QDockWidget*>("comparison");
     dock->raise();
     settle();
     const auto* table = dock->findChild<QTableWidget*>();
     QVERIFY(table->isVisible() && table->rowCount() == 2);
     const int needed = static_cast<const QAbstractItemView*>(table)->sizeHintForColumn(0);
-    QVERIFY2(table->columnWidth(0) >= needed, qPrintable(table->item(1, 0)->text()));
+    QVERIFY2(table->columnWidth(0) >= needed, qPrintable(QStringLiteral("%1: %2 of %3, %4")
+                                                             .arg(table->item(1, 0)->text())
+                                                             .arg(table->columnWidth(0))
+                                                             .arg(needed)
+                                                             .arg(dock->width())));
   }
 }
 
