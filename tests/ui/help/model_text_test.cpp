@@ -1,4 +1,5 @@
 // The page about the model says the same in every language.
+#include <QDir>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -6,7 +7,13 @@
 
 namespace {
 
-const QStringList kTranslated{"de", "es", "fr", "sv"};
+/// The languages of the window but English.
+QStringList translatedLanguages() {
+  QStringList languages = QDir(":/i18n").entryList({"angrycuts_*.qm"});
+  languages.replaceInStrings(QRegularExpression("^angrycuts_(.*)\\.qm$"), "\\1");
+  languages.removeOne("en");
+  return languages;
+}
 
 QStringList linesIn(const QString& language) {
   return ui::longText(QStringLiteral("help"), QStringLiteral("model"), language).split('\n');
@@ -80,13 +87,15 @@ class ModelTextTest : public QObject {
 
 void ModelTextTest::isWrittenInEveryLanguage() {
   QVERIFY(linesIn("en").size() > 100);
-  for (const QString& language : kTranslated)
+  QVERIFY(translatedLanguages().size() >= 4);
+  for (const QString& language : translatedLanguages())
     QVERIFY2(linesIn(language).size() > 1, qPrintable(language));
 }
 
 void ModelTextTest::saysTheSameAsTheEnglishOne_data() {
   QTest::addColumn<QString>("language");
-  for (const QString& language : kTranslated) QTest::newRow(qPrintable(language)) << language;
+  for (const QString& language : translatedLanguages())
+    QTest::newRow(qPrintable(language)) << language;
 }
 
 void ModelTextTest::saysTheSameAsTheEnglishOne() {
