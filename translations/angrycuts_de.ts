@@ -48,6 +48,25 @@
     </message>
 </context>
 <context>
+    <name>QCommandLineParser</name>
+    <message>
+        <source>Unknown option &apos;%1&apos;.</source>
+        <translation>Unbekannte Option „%1“.</translation>
+    </message>
+    <message>
+        <source>Unknown options: %1.</source>
+        <translation>Unbekannte Optionen: %1.</translation>
+    </message>
+    <message>
+        <source>Missing value after &apos;%1&apos;.</source>
+        <translation>Nach „%1“ fehlt der Wert.</translation>
+    </message>
+    <message>
+        <source>Unexpected value after &apos;%1&apos;.</source>
+        <translation>Unerwarteter Wert nach „%1“.</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>Look in:</source>
@@ -289,6 +308,29 @@ Stellen Sie sicher, dass der Verzeichnisname richtig ist.</translation>
     </message>
 </context>
 <context>
+    <name>QIODevice</name>
+    <message>
+        <source>Permission denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>file to open is a directory</source>
+        <translation>das ist ein Ordner, keine Datei</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -403,6 +445,17 @@ Stellen Sie sicher, dass der Verzeichnisname richtig ist.</translation>
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>QSaveFile</name>
+    <message>
+        <source>Existing file %1 is not writable</source>
+        <translation>Die vorhandene Datei %1 ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Filename refers to a directory</source>
+        <translation>Der Name gehört zu einem Ordner</translation>
     </message>
 </context>
 <context>
@@ -3489,6 +3542,33 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
 </context>
 <context>
+    <name>ui::ProblemLine</name>
+    <message>
+        <source>must be at least %1, got %2</source>
+        <translation>muss mindestens %1 sein, ist aber %2</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, got %3</source>
+        <translation>muss von %1 bis %2 sein, ist aber %3</translation>
+    </message>
+    <message>
+        <source>must be inside the room, got %1</source>
+        <translation>muss im Raum liegen, ist aber %1</translation>
+    </message>
+    <message>
+        <source>must put the whole weight, of radius %1 m, inside the room, got %2</source>
+        <translation>muss das ganze Gewicht, mit Radius %1 m, im Raum halten, ist aber %2</translation>
+    </message>
+    <message>
+        <source>must not overlap %1 at the start</source>
+        <translation>darf %1 beim Start nicht überlappen</translation>
+    </message>
+    <message>
+        <source>must be at most %1, got %2</source>
+        <translation>darf höchstens %1 sein, ist aber %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::ProblemWords</name>
     <message>
         <source>Gravity</source>
@@ -3566,20 +3646,36 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>Weights %1 and %2 overlap at the start.</source>
         <translation>Die Gewichte %1 und %2 überlappen sich beim Start.</translation>
     </message>
-    <message>
-        <source>There are more than %1.</source>
-        <translation>Es gibt mehr als %1.</translation>
-    </message>
-    <message>
-        <source>There is no method named %1.</source>
-        <translation>Es gibt kein Verfahren namens %1.</translation>
-    </message>
     <message numerus="yes">
         <source>(and %n more problem(s))</source>
         <translation>
             <numerusform>(und %n weiteres Problem)</numerusform>
             <numerusform>(und %n weitere Probleme)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The angular velocity</source>
+        <translation>Die Winkelgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The velocity x</source>
+        <translation>Die Geschwindigkeit x</translation>
+    </message>
+    <message>
+        <source>The velocity y</source>
+        <translation>Die Geschwindigkeit y</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>Die Toleranz</translation>
+    </message>
+    <message>
+        <source>There are more than %1 runs.</source>
+        <translation>Es gibt mehr als %1 Läufe.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 weights.</source>
+        <translation>Es gibt mehr als %1 Gewichte.</translation>
     </message>
 </context>
 <context>
@@ -4041,6 +4137,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>must be like &quot;#e69f00&quot;, got %1</source>
         <translation>muss wie „#e69f00“ sein, ist aber %1</translation>
+    </message>
+    <message>
+        <source>there is no method named %1</source>
+        <translation>es gibt kein Verfahren namens %1</translation>
     </message>
 </context>
 <context>

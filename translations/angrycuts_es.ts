@@ -48,6 +48,25 @@
     </message>
 </context>
 <context>
+    <name>QCommandLineParser</name>
+    <message>
+        <source>Unknown option &apos;%1&apos;.</source>
+        <translation>Opción desconocida «%1».</translation>
+    </message>
+    <message>
+        <source>Unknown options: %1.</source>
+        <translation>Opciones desconocidas: %1.</translation>
+    </message>
+    <message>
+        <source>Missing value after &apos;%1&apos;.</source>
+        <translation>Falta el valor después de «%1».</translation>
+    </message>
+    <message>
+        <source>Unexpected value after &apos;%1&apos;.</source>
+        <translation>Valor inesperado después de «%1».</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>Look in:</source>
@@ -289,6 +308,29 @@ Compruebe el nombre de la carpeta.</translation>
     </message>
 </context>
 <context>
+    <name>QIODevice</name>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permiso denegado</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Demasiados archivos abiertos</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>No existe el archivo o la carpeta</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>No queda espacio en el dispositivo</translation>
+    </message>
+    <message>
+        <source>file to open is a directory</source>
+        <translation>es una carpeta, no un archivo</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -403,6 +445,17 @@ Compruebe el nombre de la carpeta.</translation>
     <message>
         <source>Help</source>
         <translation>Ayuda</translation>
+    </message>
+</context>
+<context>
+    <name>QSaveFile</name>
+    <message>
+        <source>Existing file %1 is not writable</source>
+        <translation>El archivo %1 ya existe y no se puede modificar</translation>
+    </message>
+    <message>
+        <source>Filename refers to a directory</source>
+        <translation>El nombre es el de una carpeta</translation>
     </message>
 </context>
 <context>
@@ -3490,6 +3543,33 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
 </context>
 <context>
+    <name>ui::ProblemLine</name>
+    <message>
+        <source>must be at least %1, got %2</source>
+        <translation>se esperaba al menos %1, no %2</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, got %3</source>
+        <translation>se esperaba de %1 a %2, no %3</translation>
+    </message>
+    <message>
+        <source>must be inside the room, got %1</source>
+        <translation>debe estar dentro de la sala, no en %1</translation>
+    </message>
+    <message>
+        <source>must put the whole weight, of radius %1 m, inside the room, got %2</source>
+        <translation>debe dejar toda la pesa, de radio %1 m, dentro de la sala, no en %2</translation>
+    </message>
+    <message>
+        <source>must not overlap %1 at the start</source>
+        <translation>no debe solaparse con %1 al inicio</translation>
+    </message>
+    <message>
+        <source>must be at most %1, got %2</source>
+        <translation>se esperaba como máximo %1, no %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::ProblemWords</name>
     <message>
         <source>Gravity</source>
@@ -3567,20 +3647,36 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>Weights %1 and %2 overlap at the start.</source>
         <translation>Las pesas %1 y %2 se solapan al inicio.</translation>
     </message>
-    <message>
-        <source>There are more than %1.</source>
-        <translation>Hay más de %1.</translation>
-    </message>
-    <message>
-        <source>There is no method named %1.</source>
-        <translation>No hay ningún método llamado %1.</translation>
-    </message>
     <message numerus="yes">
         <source>(and %n more problem(s))</source>
         <translation>
             <numerusform>(y %n problema más)</numerusform>
             <numerusform>(y %n problemas más)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The angular velocity</source>
+        <translation>La velocidad angular</translation>
+    </message>
+    <message>
+        <source>The velocity x</source>
+        <translation>La velocidad x</translation>
+    </message>
+    <message>
+        <source>The velocity y</source>
+        <translation>La velocidad y</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>La tolerancia</translation>
+    </message>
+    <message>
+        <source>There are more than %1 runs.</source>
+        <translation>Hay más de %1 simulaciones.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 weights.</source>
+        <translation>Hay más de %1 pesas.</translation>
     </message>
 </context>
 <context>
@@ -4042,6 +4138,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>must be like &quot;#e69f00&quot;, got %1</source>
         <translation>debe ser como &quot;#e69f00&quot;, no %1</translation>
+    </message>
+    <message>
+        <source>there is no method named %1</source>
+        <translation>no hay ningún método llamado %1</translation>
     </message>
 </context>
 <context>

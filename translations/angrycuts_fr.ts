@@ -48,6 +48,25 @@
     </message>
 </context>
 <context>
+    <name>QCommandLineParser</name>
+    <message>
+        <source>Unknown option &apos;%1&apos;.</source>
+        <translation>Option inconnue «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Unknown options: %1.</source>
+        <translation>Options inconnues&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Missing value after &apos;%1&apos;.</source>
+        <translation>Valeur manquante après «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Unexpected value after &apos;%1&apos;.</source>
+        <translation>Valeur inattendue après «&#xa0;%1&#xa0;».</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>Look in:</source>
@@ -289,6 +308,29 @@ Veuillez vérifier le nom du dossier.</translation>
     </message>
 </context>
 <context>
+    <name>QIODevice</name>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permission refusée</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Trop de fichiers ouverts</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Fichier ou dossier introuvable</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Plus d’espace sur le disque</translation>
+    </message>
+    <message>
+        <source>file to open is a directory</source>
+        <translation>c’est un dossier, pas un fichier</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -403,6 +445,17 @@ Veuillez vérifier le nom du dossier.</translation>
     <message>
         <source>Help</source>
         <translation>Aide</translation>
+    </message>
+</context>
+<context>
+    <name>QSaveFile</name>
+    <message>
+        <source>Existing file %1 is not writable</source>
+        <translation>Le fichier %1 existe et ne peut pas être modifié</translation>
+    </message>
+    <message>
+        <source>Filename refers to a directory</source>
+        <translation>Ce nom est celui d’un dossier</translation>
     </message>
 </context>
 <context>
@@ -3490,6 +3543,33 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
 </context>
 <context>
+    <name>ui::ProblemLine</name>
+    <message>
+        <source>must be at least %1, got %2</source>
+        <translation>attendu&#xa0;: au moins %1&#xa0;; lu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, got %3</source>
+        <translation>attendu&#xa0;: de %1 à %2&#xa0;; lu&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>must be inside the room, got %1</source>
+        <translation>attendu&#xa0;: un point dans la pièce&#xa0;; lu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>must put the whole weight, of radius %1 m, inside the room, got %2</source>
+        <translation>attendu&#xa0;: la bille entière, de rayon %1 m, dans la pièce&#xa0;; lu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>must not overlap %1 at the start</source>
+        <translation>ne doit pas recouvrir %1 au départ</translation>
+    </message>
+    <message>
+        <source>must be at most %1, got %2</source>
+        <translation>attendu&#xa0;: au plus %1&#xa0;; lu&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::ProblemWords</name>
     <message>
         <source>Gravity</source>
@@ -3567,20 +3647,36 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>Weights %1 and %2 overlap at the start.</source>
         <translation>Les billes %1 et %2 se recouvrent au départ.</translation>
     </message>
-    <message>
-        <source>There are more than %1.</source>
-        <translation>Il y en a plus de %1.</translation>
-    </message>
-    <message>
-        <source>There is no method named %1.</source>
-        <translation>Il n’y a pas de méthode nommée %1.</translation>
-    </message>
     <message numerus="yes">
         <source>(and %n more problem(s))</source>
         <translation>
             <numerusform>(et %n autre problème)</numerusform>
             <numerusform>(et %n autres problèmes)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The angular velocity</source>
+        <translation>La vitesse angulaire</translation>
+    </message>
+    <message>
+        <source>The velocity x</source>
+        <translation>La vitesse x</translation>
+    </message>
+    <message>
+        <source>The velocity y</source>
+        <translation>La vitesse y</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>La tolérance</translation>
+    </message>
+    <message>
+        <source>There are more than %1 runs.</source>
+        <translation>Il y a plus de %1 simulations.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 weights.</source>
+        <translation>Il y a plus de %1 billes.</translation>
     </message>
 </context>
 <context>
@@ -4042,6 +4138,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>must be like &quot;#e69f00&quot;, got %1</source>
         <translation>attendu&#xa0;: de la forme &quot;#e69f00&quot;&#xa0;; lu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>there is no method named %1</source>
+        <translation>il n’y a pas de méthode nommée %1</translation>
     </message>
 </context>
 <context>

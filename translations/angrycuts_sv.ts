@@ -48,6 +48,25 @@
     </message>
 </context>
 <context>
+    <name>QCommandLineParser</name>
+    <message>
+        <source>Unknown option &apos;%1&apos;.</source>
+        <translation>Okänt alternativ ”%1”.</translation>
+    </message>
+    <message>
+        <source>Unknown options: %1.</source>
+        <translation>Okända alternativ: %1.</translation>
+    </message>
+    <message>
+        <source>Missing value after &apos;%1&apos;.</source>
+        <translation>Värde saknas efter ”%1”.</translation>
+    </message>
+    <message>
+        <source>Unexpected value after &apos;%1&apos;.</source>
+        <translation>Oväntat värde efter ”%1”.</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>Look in:</source>
@@ -289,6 +308,29 @@ Kontrollera att namnet är rätt.</translation>
     </message>
 </context>
 <context>
+    <name>QIODevice</name>
+    <message>
+        <source>Permission denied</source>
+        <translation>Åtkomst nekad</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>För många öppna filer</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Filen eller mappen finns inte</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Enheten är full</translation>
+    </message>
+    <message>
+        <source>file to open is a directory</source>
+        <translation>det är en mapp, ingen fil</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -403,6 +445,17 @@ Kontrollera att namnet är rätt.</translation>
     <message>
         <source>Help</source>
         <translation>Hjälp</translation>
+    </message>
+</context>
+<context>
+    <name>QSaveFile</name>
+    <message>
+        <source>Existing file %1 is not writable</source>
+        <translation>Filen %1 finns och är skrivskyddad</translation>
+    </message>
+    <message>
+        <source>Filename refers to a directory</source>
+        <translation>Namnet tillhör en mapp</translation>
     </message>
 </context>
 <context>
@@ -3488,6 +3541,33 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
 </context>
 <context>
+    <name>ui::ProblemLine</name>
+    <message>
+        <source>must be at least %1, got %2</source>
+        <translation>måste vara minst %1, är %2</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, got %3</source>
+        <translation>måste vara från %1 till %2, är %3</translation>
+    </message>
+    <message>
+        <source>must be inside the room, got %1</source>
+        <translation>måste ligga i rummet, är %1</translation>
+    </message>
+    <message>
+        <source>must put the whole weight, of radius %1 m, inside the room, got %2</source>
+        <translation>måste hålla hela vikten, med radien %1 m, i rummet, är %2</translation>
+    </message>
+    <message>
+        <source>must not overlap %1 at the start</source>
+        <translation>får inte överlappa %1 vid starten</translation>
+    </message>
+    <message>
+        <source>must be at most %1, got %2</source>
+        <translation>får vara högst %1, är %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::ProblemWords</name>
     <message>
         <source>Gravity</source>
@@ -3565,20 +3645,36 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>Weights %1 and %2 overlap at the start.</source>
         <translation>Vikterna %1 och %2 överlappar vid starten.</translation>
     </message>
-    <message>
-        <source>There are more than %1.</source>
-        <translation>Det finns fler än %1.</translation>
-    </message>
-    <message>
-        <source>There is no method named %1.</source>
-        <translation>Det finns ingen metod som heter %1.</translation>
-    </message>
     <message numerus="yes">
         <source>(and %n more problem(s))</source>
         <translation>
             <numerusform>(och %n problem till)</numerusform>
             <numerusform>(och %n problem till)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The angular velocity</source>
+        <translation>Vinkelhastigheten</translation>
+    </message>
+    <message>
+        <source>The velocity x</source>
+        <translation>Hastigheten x</translation>
+    </message>
+    <message>
+        <source>The velocity y</source>
+        <translation>Hastigheten y</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>Toleransen</translation>
+    </message>
+    <message>
+        <source>There are more than %1 runs.</source>
+        <translation>Det finns fler än %1 körningar.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 weights.</source>
+        <translation>Det finns fler än %1 vikter.</translation>
     </message>
 </context>
 <context>
@@ -4040,6 +4136,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>must be like &quot;#e69f00&quot;, got %1</source>
         <translation>måste vara som ”#e69f00”, är %1</translation>
+    </message>
+    <message>
+        <source>there is no method named %1</source>
+        <translation>det finns ingen metod som heter %1</translation>
     </message>
 </context>
 <context>
