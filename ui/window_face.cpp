@@ -213,7 +213,8 @@ void WindowFace::connectFiles() {
   on(Command::kMeasure, this, &WindowFace::showTrade);
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
-  new HelpDesk(*m_commands, m_bench->editor(), m_window, this);
+  auto* help = new HelpDesk(*m_commands, m_bench->editor(), m_window, this);
+  connect(help, &HelpDesk::done, this, &WindowFace::say);
   new RecentFiles(files, m_menu->recentFiles());
   connect(m_menu, &MainMenu::builtInChosen, files, &SceneFiles::openBuiltIn);
   connect(m_menu, &MainMenu::ledgerChosen, m_exports, &Exports::askAndSaveLedger);

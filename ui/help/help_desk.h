@@ -24,6 +24,10 @@ class HelpDesk : public QObject {
   HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWindow* window, QWidget* face);
   ~HelpDesk() override;
 
+ signals:
+  /// Something was printed or saved, in words.
+  void done(const QString& message);
+
  private:
   HelpWindow* book();
   void showSheet();

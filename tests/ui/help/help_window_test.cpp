@@ -12,6 +12,7 @@
 #include <QPrinter>
 #include <QPushButton>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -259,6 +260,8 @@ void HelpWindowTest::savesTheSheetAsPdf() {
   QFile pdf(file);
   QVERIFY(pdf.open(QIODevice::ReadOnly));
   QVERIFY(pdf.readAll().startsWith("%PDF"));
+  // The window says so, as it says everything that was done.
+  QCOMPARE(window.statusBar()->currentMessage(), "Saved " + file);
 }
 
 void HelpWindowTest::printsTheSheetIntoAFile() {
