@@ -5026,6 +5026,26 @@ in m</translation>
         <source>Velocity v at the start: x to the right, y up, in m/s</source>
         <translation>Geschwindigkeit v am Anfang: x nach rechts, y nach oben, in m/s</translation>
     </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masse m, in kg. Ohne Luft ist sie für eine Schwingung gleichgültig; mit Luft wird ein schwereres Gewicht weniger gebremst.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radius r, in m. Die Luft trifft auf die Fläche A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Widerstandsbeiwert c_d, ohne Einheit: wie sehr die Form von Luft gebremst wird. 0,47 für eine Kugel.</translation>
+    </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Länge des Seils L, in m: vom Aufhängepunkt bis zur Mitte des Gewichts. Eine kleine Schwingung dauert T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Winkel θ des Seils am Anfang, in Grad von senkrecht nach unten, positiv nach rechts.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -5157,26 +5177,6 @@ in m</translation>
     <message>
         <source>All weights in a table…</source>
         <translation>Alle Gewichte in einer Tabelle…</translation>
-    </message>
-    <message>
-        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Länge des Seils L, in m: vom Aufhängepunkt bis zur Mitte des Gewichts. Eine kleine Schwingung dauert T = 2π √(L/g).</translation>
-    </message>
-    <message>
-        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Winkel θ des Seils am Anfang, in Grad von senkrecht nach unten, positiv nach rechts.</translation>
-    </message>
-    <message>
-        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Masse m, in kg. Ohne Luft ist sie für eine Schwingung gleichgültig; mit Luft wird ein schwereres Gewicht weniger gebremst.</translation>
-    </message>
-    <message>
-        <source>Radius r, in m. Air meets the area A = π r².</source>
-        <translation>Radius r, in m. Die Luft trifft auf die Fläche A = π r².</translation>
-    </message>
-    <message>
-        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
-        <translation>Widerstandsbeiwert c_d, ohne Einheit: wie sehr die Form von Luft gebremst wird. 0,47 für eine Kugel.</translation>
     </message>
     <message>
         <source>Change many weights at once, and copy them from and to spreadsheets</source>

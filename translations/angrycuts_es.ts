@@ -5027,6 +5027,26 @@ en m</translation>
         <source>Velocity v at the start: x to the right, y up, in m/s</source>
         <translation>Velocidad v al inicio: x a la derecha, y hacia arriba, en m/s</translation>
     </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masa m, en kg. No importa en una oscilación sin aire; con aire, una pesa más pesada se frena menos.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radio r, en m. El aire encuentra el área A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Coeficiente de arrastre c_d, sin unidad: cuánto frena el aire a la forma. 0,47 para una esfera.</translation>
+    </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Longitud de la cuerda L, en m: de su pivote al centro de la pesa. Una oscilación pequeña dura T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Ángulo θ de la cuerda al inicio, en grados desde la vertical hacia abajo, positivo hacia la derecha.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -5158,26 +5178,6 @@ en m</translation>
     <message>
         <source>All weights in a table…</source>
         <translation>Todas las pesas en una tabla…</translation>
-    </message>
-    <message>
-        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Longitud de la cuerda L, en m: de su pivote al centro de la pesa. Una oscilación pequeña dura T = 2π √(L/g).</translation>
-    </message>
-    <message>
-        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Ángulo θ de la cuerda al inicio, en grados desde la vertical hacia abajo, positivo hacia la derecha.</translation>
-    </message>
-    <message>
-        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Masa m, en kg. No importa en una oscilación sin aire; con aire, una pesa más pesada se frena menos.</translation>
-    </message>
-    <message>
-        <source>Radius r, in m. Air meets the area A = π r².</source>
-        <translation>Radio r, en m. El aire encuentra el área A = π r².</translation>
-    </message>
-    <message>
-        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
-        <translation>Coeficiente de arrastre c_d, sin unidad: cuánto frena el aire a la forma. 0,47 para una esfera.</translation>
     </message>
     <message>
         <source>Change many weights at once, and copy them from and to spreadsheets</source>

@@ -5027,6 +5027,26 @@ en m</translation>
         <source>Velocity v at the start: x to the right, y up, in m/s</source>
         <translation>Vitesse v au départ&#xa0;: x vers la droite, y vers le haut, en m/s</translation>
     </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masse m, en kg. Elle ne compte pas pour une oscillation sans air&#xa0;; dans l’air, une bille plus lourde est moins freinée.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Rayon r, en m. L’air rencontre la surface A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Coefficient de traînée c_d, sans unité&#xa0;: à quel point l’air retient la forme. 0,47 pour une sphère.</translation>
+    </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Longueur de la corde L, en m&#xa0;: de son pivot au centre de la bille. Une petite oscillation dure T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Angle θ de la corde au départ, en degrés depuis la verticale vers le bas, positif vers la droite.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -5158,26 +5178,6 @@ en m</translation>
     <message>
         <source>All weights in a table…</source>
         <translation>Toutes les billes en tableau…</translation>
-    </message>
-    <message>
-        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Longueur de la corde L, en m&#xa0;: de son pivot au centre de la bille. Une petite oscillation dure T = 2π √(L/g).</translation>
-    </message>
-    <message>
-        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Angle θ de la corde au départ, en degrés depuis la verticale vers le bas, positif vers la droite.</translation>
-    </message>
-    <message>
-        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Masse m, en kg. Elle ne compte pas pour une oscillation sans air&#xa0;; dans l’air, une bille plus lourde est moins freinée.</translation>
-    </message>
-    <message>
-        <source>Radius r, in m. Air meets the area A = π r².</source>
-        <translation>Rayon r, en m. L’air rencontre la surface A = π r².</translation>
-    </message>
-    <message>
-        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
-        <translation>Coefficient de traînée c_d, sans unité&#xa0;: à quel point l’air retient la forme. 0,47 pour une sphère.</translation>
     </message>
     <message>
         <source>Change many weights at once, and copy them from and to spreadsheets</source>

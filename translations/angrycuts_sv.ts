@@ -5025,6 +5025,26 @@ i m</translation>
         <source>Velocity v at the start: x to the right, y up, in m/s</source>
         <translation>Hastighet v vid starten: x åt höger, y uppåt, i m/s</translation>
     </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Massan m, i kg. Utan luft spelar den ingen roll för en svängning; med luft bromsas en tyngre vikt mindre.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radien r, i m. Luften möter arean A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Motståndskoefficient c_d, utan enhet: hur mycket formen hejdas av luft. 0,47 för ett klot.</translation>
+    </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Repets längd L, i m: från upphängningen till viktens mitt. En liten svängning tar T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Repets vinkel θ vid starten, i grader från rakt ned, positiv åt höger.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -5156,26 +5176,6 @@ i m</translation>
     <message>
         <source>All weights in a table…</source>
         <translation>Alla vikter i en tabell…</translation>
-    </message>
-    <message>
-        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Repets längd L, i m: från upphängningen till viktens mitt. En liten svängning tar T = 2π √(L/g).</translation>
-    </message>
-    <message>
-        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Repets vinkel θ vid starten, i grader från rakt ned, positiv åt höger.</translation>
-    </message>
-    <message>
-        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Massan m, i kg. Utan luft spelar den ingen roll för en svängning; med luft bromsas en tyngre vikt mindre.</translation>
-    </message>
-    <message>
-        <source>Radius r, in m. Air meets the area A = π r².</source>
-        <translation>Radien r, i m. Luften möter arean A = π r².</translation>
-    </message>
-    <message>
-        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
-        <translation>Motståndskoefficient c_d, utan enhet: hur mycket formen hejdas av luft. 0,47 för ett klot.</translation>
     </message>
     <message>
         <source>Change many weights at once, and copy them from and to spreadsheets</source>
