@@ -997,30 +997,6 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <translation>Fehler bis</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Diagramm…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Diagramm exportieren</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabelle…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Tabelle exportieren</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabelle (*.csv)</translation>
-    </message>
-    <message>
         <source>Error against cost or step</source>
         <translation>Fehler gegen Aufwand oder Schrittweite</translation>
     </message>
@@ -1047,10 +1023,6 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
         <translation>Größter Abstand vom wahren Ort, der zugelassen wird, in m: Welches Verfahren erreicht ihn mit dem kleinsten Aufwand?</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Das Diagramm als Bild oder seine Zahlen als Tabelle speichern</translation>
     </message>
 </context>
 <context>
@@ -1958,6 +1930,100 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
 </context>
 <context>
+    <name>ui::CutQuestions</name>
+    <message>
+        <source>Cut between</source>
+        <translation>Schnitt zwischen</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>Weight that is to hit the target</source>
+        <translation>Gewicht, das das Ziel treffen soll</translation>
+    </message>
+    <message>
+        <source>Which weight, counted from the left</source>
+        <translation>Welches Gewicht, von links gezählt</translation>
+    </message>
+    <message>
+        <source>Method that finds the moments</source>
+        <translation>Verfahren, das die Zeitpunkte sucht</translation>
+    </message>
+    <message>
+        <source>Center of the target</source>
+        <translation>Mitte des Ziels</translation>
+    </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Wo die Mitte des Ziels liegt, x in m von der linken Wand</translation>
+    </message>
+    <message>
+        <source>Width of the target</source>
+        <translation>Breite des Ziels</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Wie breit das Ziel ist, in m</translation>
+    </message>
+    <message>
+        <source>First cut time</source>
+        <translation>Erste Schnittzeit</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>Der früheste Zeitpunkt zum Schneiden, in s</translation>
+    </message>
+    <message>
+        <source>Last cut time</source>
+        <translation>Letzte Schnittzeit</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>Der späteste Zeitpunkt zum Schneiden, in s</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>mit</translation>
+    </message>
+    <message>
+        <source>Target at</source>
+        <translation>Ziel bei</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>must be later than the first</source>
+        <translation>muss später als die erste sein</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CutResults</name>
+    <message>
+        <source>when-to-cut</source>
+        <translation>schnittzeiten</translation>
+    </message>
+    <message>
+        <source>Copy chart</source>
+        <translation>Diagramm kopieren</translation>
+    </message>
+    <message>
+        <source>Copy chart data</source>
+        <translation>Diagrammdaten kopieren</translation>
+    </message>
+    <message>
+        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
+        <translation>Sucht für jede Schnittzeit, wo das Gewicht zuerst auf den Boden kommt, und die Zeitpunkte, die das Ziel treffen.</translation>
+    </message>
+</context>
+<context>
     <name>ui::CutSweep</name>
     <message>
         <source>straight to the floor</source>
@@ -2085,128 +2151,12 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <translation>Wann schneiden?</translation>
     </message>
     <message>
-        <source>Weight that is to hit the target</source>
-        <translation>Gewicht, das das Ziel treffen soll</translation>
-    </message>
-    <message>
-        <source>Which weight, counted from the left</source>
-        <translation>Welches Gewicht, von links gezählt</translation>
-    </message>
-    <message>
-        <source>Method that finds the moments</source>
-        <translation>Verfahren, das die Zeitpunkte sucht</translation>
-    </message>
-    <message>
-        <source>Center of the target</source>
-        <translation>Mitte des Ziels</translation>
-    </message>
-    <message>
-        <source>Width of the target</source>
-        <translation>Breite des Ziels</translation>
-    </message>
-    <message>
-        <source>First cut time</source>
-        <translation>Erste Schnittzeit</translation>
-    </message>
-    <message>
-        <source>Last cut time</source>
-        <translation>Letzte Schnittzeit</translation>
-    </message>
-    <message>
-        <source>Cut between</source>
-        <translation>Schnitt zwischen</translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation>und</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>mit</translation>
-    </message>
-    <message>
-        <source>Target at</source>
-        <translation>Ziel bei</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Diagramm…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Diagramm exportieren</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabelle…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Tabelle exportieren</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabelle (*.csv)</translation>
-    </message>
-    <message>
-        <source>Copy chart</source>
-        <translation>Diagramm kopieren</translation>
-    </message>
-    <message>
-        <source>Copy chart data</source>
-        <translation>Diagrammdaten kopieren</translation>
-    </message>
-    <message>
-        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
-        <translation>Sucht für jede Schnittzeit, wo das Gewicht zuerst auf den Boden kommt, und die Zeitpunkte, die das Ziel treffen.</translation>
-    </message>
-    <message>
-        <source>must be later than the first</source>
-        <translation>muss später als die erste sein</translation>
-    </message>
-    <message>
         <source>change of the cut</source>
         <translation>Änderung des Schnitts</translation>
     </message>
     <message>
         <source>All ropes are cut at %1 s now. Play to see where weight %2 lands.</source>
         <translation>Alle Seile werden nun bei %1 s durchgeschnitten. Spielen Sie ab, um zu sehen, wo Gewicht %2 landet.</translation>
-    </message>
-    <message>
-        <source>when-to-cut</source>
-        <translation>schnittzeiten</translation>
-    </message>
-    <message>
-        <source>Where the middle of the target lies, x in m from the left wall</source>
-        <translation>Wo die Mitte des Ziels liegt, x in m von der linken Wand</translation>
-    </message>
-    <message>
-        <source>How wide the target is, in m</source>
-        <translation>Wie breit das Ziel ist, in m</translation>
-    </message>
-    <message>
-        <source>The earliest moment to cut, in s</source>
-        <translation>Der früheste Zeitpunkt zum Schneiden, in s</translation>
-    </message>
-    <message>
-        <source>The latest moment to cut, in s</source>
-        <translation>Der späteste Zeitpunkt zum Schneiden, in s</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Das Diagramm als Bild oder seine Zahlen als Tabelle speichern</translation>
     </message>
 </context>
 <context>
@@ -2481,6 +2431,37 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Kinds of events that are listed</source>
         <translation>Arten von Ereignissen, die aufgeführt werden</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportButton</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Das Diagramm als Bild oder seine Zahlen als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Chart…</source>
+        <translation>Diagramm…</translation>
+    </message>
+    <message>
+        <source>Export chart</source>
+        <translation>Diagramm exportieren</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabelle…</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Tabelle exportieren</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
     </message>
 </context>
 <context>

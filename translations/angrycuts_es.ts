@@ -998,30 +998,6 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <translation>Precisión</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Gráfico…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exportar gráfico</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabla…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exportar tabla</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabla (*.csv)</translation>
-    </message>
-    <message>
         <source>Error against cost or step</source>
         <translation>Error según el coste o el paso</translation>
     </message>
@@ -1048,10 +1024,6 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
         <translation>Mayor distancia aceptada al lugar verdadero, en m: ¿qué método la alcanza al menor coste?</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Guardar el gráfico como imagen o sus cifras como tabla</translation>
     </message>
 </context>
 <context>
@@ -1959,6 +1931,100 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
 </context>
 <context>
+    <name>ui::CutQuestions</name>
+    <message>
+        <source>Cut between</source>
+        <translation>Cortar entre</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Weight that is to hit the target</source>
+        <translation>Pesa que debe dar en la diana</translation>
+    </message>
+    <message>
+        <source>Which weight, counted from the left</source>
+        <translation>Qué pesa, contada desde la izquierda</translation>
+    </message>
+    <message>
+        <source>Method that finds the moments</source>
+        <translation>Método que busca los instantes</translation>
+    </message>
+    <message>
+        <source>Center of the target</source>
+        <translation>Centro de la diana</translation>
+    </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Dónde está el centro de la diana, x en m desde la pared izquierda</translation>
+    </message>
+    <message>
+        <source>Width of the target</source>
+        <translation>Ancho de la diana</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Ancho de la diana, en m</translation>
+    </message>
+    <message>
+        <source>First cut time</source>
+        <translation>Primer instante de corte</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>El primer instante para cortar, en s</translation>
+    </message>
+    <message>
+        <source>Last cut time</source>
+        <translation>Último instante de corte</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>El último instante para cortar, en s</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Pesa</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>con</translation>
+    </message>
+    <message>
+        <source>Target at</source>
+        <translation>Diana en</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>must be later than the first</source>
+        <translation>debe ser posterior al primero</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CutResults</name>
+    <message>
+        <source>when-to-cut</source>
+        <translation>cuando-cortar</translation>
+    </message>
+    <message>
+        <source>Copy chart</source>
+        <translation>Copiar gráfico</translation>
+    </message>
+    <message>
+        <source>Copy chart data</source>
+        <translation>Copiar datos</translation>
+    </message>
+    <message>
+        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
+        <translation>Busca, para cada instante del corte, dónde llega primero la pesa al suelo, y los instantes que dan en la diana.</translation>
+    </message>
+</context>
+<context>
     <name>ui::CutSweep</name>
     <message>
         <source>straight to the floor</source>
@@ -2086,128 +2152,12 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <translation>¿Cuándo cortar?</translation>
     </message>
     <message>
-        <source>Weight that is to hit the target</source>
-        <translation>Pesa que debe dar en la diana</translation>
-    </message>
-    <message>
-        <source>Which weight, counted from the left</source>
-        <translation>Qué pesa, contada desde la izquierda</translation>
-    </message>
-    <message>
-        <source>Method that finds the moments</source>
-        <translation>Método que busca los instantes</translation>
-    </message>
-    <message>
-        <source>Center of the target</source>
-        <translation>Centro de la diana</translation>
-    </message>
-    <message>
-        <source>Width of the target</source>
-        <translation>Ancho de la diana</translation>
-    </message>
-    <message>
-        <source>First cut time</source>
-        <translation>Primer instante de corte</translation>
-    </message>
-    <message>
-        <source>Last cut time</source>
-        <translation>Último instante de corte</translation>
-    </message>
-    <message>
-        <source>Cut between</source>
-        <translation>Cortar entre</translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation>y</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Pesa</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>con</translation>
-    </message>
-    <message>
-        <source>Target at</source>
-        <translation>Diana en</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Ancho</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Gráfico…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exportar gráfico</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabla…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exportar tabla</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabla (*.csv)</translation>
-    </message>
-    <message>
-        <source>Copy chart</source>
-        <translation>Copiar gráfico</translation>
-    </message>
-    <message>
-        <source>Copy chart data</source>
-        <translation>Copiar datos</translation>
-    </message>
-    <message>
-        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
-        <translation>Busca, para cada instante del corte, dónde llega primero la pesa al suelo, y los instantes que dan en la diana.</translation>
-    </message>
-    <message>
-        <source>must be later than the first</source>
-        <translation>debe ser posterior al primero</translation>
-    </message>
-    <message>
         <source>change of the cut</source>
         <translation>cambio del corte</translation>
     </message>
     <message>
         <source>All ropes are cut at %1 s now. Play to see where weight %2 lands.</source>
         <translation>Ahora todas las cuerdas se cortan a los %1 s. Reproduzca para ver dónde cae la pesa %2.</translation>
-    </message>
-    <message>
-        <source>when-to-cut</source>
-        <translation>cuando-cortar</translation>
-    </message>
-    <message>
-        <source>Where the middle of the target lies, x in m from the left wall</source>
-        <translation>Dónde está el centro de la diana, x en m desde la pared izquierda</translation>
-    </message>
-    <message>
-        <source>How wide the target is, in m</source>
-        <translation>Ancho de la diana, en m</translation>
-    </message>
-    <message>
-        <source>The earliest moment to cut, in s</source>
-        <translation>El primer instante para cortar, en s</translation>
-    </message>
-    <message>
-        <source>The latest moment to cut, in s</source>
-        <translation>El último instante para cortar, en s</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Guardar el gráfico como imagen o sus cifras como tabla</translation>
     </message>
 </context>
 <context>
@@ -2482,6 +2432,37 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Kinds of events that are listed</source>
         <translation>Tipos de eventos que se muestran</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportButton</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Guardar el gráfico como imagen o sus cifras como tabla</translation>
+    </message>
+    <message>
+        <source>Chart…</source>
+        <translation>Gráfico…</translation>
+    </message>
+    <message>
+        <source>Export chart</source>
+        <translation>Exportar gráfico</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabla…</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Exportar tabla</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabla (*.csv)</translation>
     </message>
 </context>
 <context>

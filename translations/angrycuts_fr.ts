@@ -998,30 +998,6 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <translation>Précision</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Graphique…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exporter le graphique</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tableau…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exporter le tableau</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tableau (*.csv)</translation>
-    </message>
-    <message>
         <source>Error against cost or step</source>
         <translation>Erreur selon le coût ou le pas</translation>
     </message>
@@ -1048,10 +1024,6 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
         <translation>Plus grande distance acceptée à la vraie position, en m&#xa0;: quelle méthode l’atteint au moindre coût&#xa0;?</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Enregistrer le graphique en image ou ses valeurs en tableau</translation>
     </message>
 </context>
 <context>
@@ -1959,6 +1931,100 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
 </context>
 <context>
+    <name>ui::CutQuestions</name>
+    <message>
+        <source>Cut between</source>
+        <translation>Couper entre</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>et</translation>
+    </message>
+    <message>
+        <source>Weight that is to hit the target</source>
+        <translation>Bille qui doit toucher la cible</translation>
+    </message>
+    <message>
+        <source>Which weight, counted from the left</source>
+        <translation>Quelle bille, comptée depuis la gauche</translation>
+    </message>
+    <message>
+        <source>Method that finds the moments</source>
+        <translation>Méthode qui cherche les instants</translation>
+    </message>
+    <message>
+        <source>Center of the target</source>
+        <translation>Centre de la cible</translation>
+    </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Position du milieu de la cible, x en m depuis le mur gauche</translation>
+    </message>
+    <message>
+        <source>Width of the target</source>
+        <translation>Largeur de la cible</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Largeur de la cible, en m</translation>
+    </message>
+    <message>
+        <source>First cut time</source>
+        <translation>Premier instant de coupe</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>Le premier instant de coupe, en s</translation>
+    </message>
+    <message>
+        <source>Last cut time</source>
+        <translation>Dernier instant de coupe</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>Le dernier instant de coupe, en s</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Bille</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>par</translation>
+    </message>
+    <message>
+        <source>Target at</source>
+        <translation>Cible à</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>must be later than the first</source>
+        <translation>doit être après le premier</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CutResults</name>
+    <message>
+        <source>when-to-cut</source>
+        <translation>quand-couper</translation>
+    </message>
+    <message>
+        <source>Copy chart</source>
+        <translation>Copier le graphique</translation>
+    </message>
+    <message>
+        <source>Copy chart data</source>
+        <translation>Copier les données</translation>
+    </message>
+    <message>
+        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
+        <translation>Cherche, pour chaque instant de coupe, où la bille arrive d’abord au sol, et les instants qui touchent la cible.</translation>
+    </message>
+</context>
+<context>
     <name>ui::CutSweep</name>
     <message>
         <source>straight to the floor</source>
@@ -2086,128 +2152,12 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <translation>Quand couper&#xa0;?</translation>
     </message>
     <message>
-        <source>Weight that is to hit the target</source>
-        <translation>Bille qui doit toucher la cible</translation>
-    </message>
-    <message>
-        <source>Which weight, counted from the left</source>
-        <translation>Quelle bille, comptée depuis la gauche</translation>
-    </message>
-    <message>
-        <source>Method that finds the moments</source>
-        <translation>Méthode qui cherche les instants</translation>
-    </message>
-    <message>
-        <source>Center of the target</source>
-        <translation>Centre de la cible</translation>
-    </message>
-    <message>
-        <source>Width of the target</source>
-        <translation>Largeur de la cible</translation>
-    </message>
-    <message>
-        <source>First cut time</source>
-        <translation>Premier instant de coupe</translation>
-    </message>
-    <message>
-        <source>Last cut time</source>
-        <translation>Dernier instant de coupe</translation>
-    </message>
-    <message>
-        <source>Cut between</source>
-        <translation>Couper entre</translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation>et</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Bille</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>par</translation>
-    </message>
-    <message>
-        <source>Target at</source>
-        <translation>Cible à</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Largeur</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Graphique…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exporter le graphique</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tableau…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exporter le tableau</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tableau (*.csv)</translation>
-    </message>
-    <message>
-        <source>Copy chart</source>
-        <translation>Copier le graphique</translation>
-    </message>
-    <message>
-        <source>Copy chart data</source>
-        <translation>Copier les données</translation>
-    </message>
-    <message>
-        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
-        <translation>Cherche, pour chaque instant de coupe, où la bille arrive d’abord au sol, et les instants qui touchent la cible.</translation>
-    </message>
-    <message>
-        <source>must be later than the first</source>
-        <translation>doit être après le premier</translation>
-    </message>
-    <message>
         <source>change of the cut</source>
         <translation>changement de la coupe</translation>
     </message>
     <message>
         <source>All ropes are cut at %1 s now. Play to see where weight %2 lands.</source>
         <translation>Toutes les cordes sont maintenant coupées à %1 s. Lancez la lecture pour voir où tombe la bille %2.</translation>
-    </message>
-    <message>
-        <source>when-to-cut</source>
-        <translation>quand-couper</translation>
-    </message>
-    <message>
-        <source>Where the middle of the target lies, x in m from the left wall</source>
-        <translation>Position du milieu de la cible, x en m depuis le mur gauche</translation>
-    </message>
-    <message>
-        <source>How wide the target is, in m</source>
-        <translation>Largeur de la cible, en m</translation>
-    </message>
-    <message>
-        <source>The earliest moment to cut, in s</source>
-        <translation>Le premier instant de coupe, en s</translation>
-    </message>
-    <message>
-        <source>The latest moment to cut, in s</source>
-        <translation>Le dernier instant de coupe, en s</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Enregistrer le graphique en image ou ses valeurs en tableau</translation>
     </message>
 </context>
 <context>
@@ -2482,6 +2432,37 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Kinds of events that are listed</source>
         <translation>Types d’événements affichés</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportButton</name>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Enregistrer le graphique en image ou ses valeurs en tableau</translation>
+    </message>
+    <message>
+        <source>Chart…</source>
+        <translation>Graphique…</translation>
+    </message>
+    <message>
+        <source>Export chart</source>
+        <translation>Exporter le graphique</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tableau…</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Exporter le tableau</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
     </message>
 </context>
 <context>

@@ -996,30 +996,6 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <translation>Fel högst</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportera</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Diagram…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exportera diagram</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabell…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exportera tabell</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabell (*.csv)</translation>
-    </message>
-    <message>
         <source>Error against cost or step</source>
         <translation>Fel mot kostnad eller steg</translation>
     </message>
@@ -1046,10 +1022,6 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
         <translation>Största avstånd från rätt plats som godtas, i m: vilken metod når det till lägsta kostnad?</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Spara diagrammet som bild eller dess siffror som tabell</translation>
     </message>
 </context>
 <context>
@@ -1957,6 +1929,100 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
 </context>
 <context>
+    <name>ui::CutQuestions</name>
+    <message>
+        <source>Cut between</source>
+        <translation>Klipp mellan</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>och</translation>
+    </message>
+    <message>
+        <source>Weight that is to hit the target</source>
+        <translation>Vikt som ska träffa målet</translation>
+    </message>
+    <message>
+        <source>Which weight, counted from the left</source>
+        <translation>Vilken vikt, räknat från vänster</translation>
+    </message>
+    <message>
+        <source>Method that finds the moments</source>
+        <translation>Metod som söker tidpunkterna</translation>
+    </message>
+    <message>
+        <source>Center of the target</source>
+        <translation>Målets mitt</translation>
+    </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Var målets mitt ligger, x i m från vänstra väggen</translation>
+    </message>
+    <message>
+        <source>Width of the target</source>
+        <translation>Målets bredd</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Hur brett målet är, i m</translation>
+    </message>
+    <message>
+        <source>First cut time</source>
+        <translation>Första klipptid</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>Den tidigaste tidpunkten att klippa, i s</translation>
+    </message>
+    <message>
+        <source>Last cut time</source>
+        <translation>Sista klipptid</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>Den senaste tidpunkten att klippa, i s</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Vikt</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>med</translation>
+    </message>
+    <message>
+        <source>Target at</source>
+        <translation>Mål vid</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
+    </message>
+    <message>
+        <source>must be later than the first</source>
+        <translation>måste vara senare än den första</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CutResults</name>
+    <message>
+        <source>when-to-cut</source>
+        <translation>klipptider</translation>
+    </message>
+    <message>
+        <source>Copy chart</source>
+        <translation>Kopiera diagram</translation>
+    </message>
+    <message>
+        <source>Copy chart data</source>
+        <translation>Kopiera diagramdata</translation>
+    </message>
+    <message>
+        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
+        <translation>Söker var vikten först kommer till golvet för varje klipptid, och de tidpunkter som träffar målet.</translation>
+    </message>
+</context>
+<context>
     <name>ui::CutSweep</name>
     <message>
         <source>straight to the floor</source>
@@ -2084,128 +2150,12 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <translation>När ska man klippa?</translation>
     </message>
     <message>
-        <source>Weight that is to hit the target</source>
-        <translation>Vikt som ska träffa målet</translation>
-    </message>
-    <message>
-        <source>Which weight, counted from the left</source>
-        <translation>Vilken vikt, räknat från vänster</translation>
-    </message>
-    <message>
-        <source>Method that finds the moments</source>
-        <translation>Metod som söker tidpunkterna</translation>
-    </message>
-    <message>
-        <source>Center of the target</source>
-        <translation>Målets mitt</translation>
-    </message>
-    <message>
-        <source>Width of the target</source>
-        <translation>Målets bredd</translation>
-    </message>
-    <message>
-        <source>First cut time</source>
-        <translation>Första klipptid</translation>
-    </message>
-    <message>
-        <source>Last cut time</source>
-        <translation>Sista klipptid</translation>
-    </message>
-    <message>
-        <source>Cut between</source>
-        <translation>Klipp mellan</translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation>och</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Vikt</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>med</translation>
-    </message>
-    <message>
-        <source>Target at</source>
-        <translation>Mål vid</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Bredd</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportera</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Diagram…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exportera diagram</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabell…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exportera tabell</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabell (*.csv)</translation>
-    </message>
-    <message>
-        <source>Copy chart</source>
-        <translation>Kopiera diagram</translation>
-    </message>
-    <message>
-        <source>Copy chart data</source>
-        <translation>Kopiera diagramdata</translation>
-    </message>
-    <message>
-        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
-        <translation>Söker var vikten först kommer till golvet för varje klipptid, och de tidpunkter som träffar målet.</translation>
-    </message>
-    <message>
-        <source>must be later than the first</source>
-        <translation>måste vara senare än den första</translation>
-    </message>
-    <message>
         <source>change of the cut</source>
         <translation>ändring av klippet</translation>
     </message>
     <message>
         <source>All ropes are cut at %1 s now. Play to see where weight %2 lands.</source>
         <translation>Alla rep klipps nu vid %1 s. Spela upp för att se var vikt %2 landar.</translation>
-    </message>
-    <message>
-        <source>when-to-cut</source>
-        <translation>klipptider</translation>
-    </message>
-    <message>
-        <source>Where the middle of the target lies, x in m from the left wall</source>
-        <translation>Var målets mitt ligger, x i m från vänstra väggen</translation>
-    </message>
-    <message>
-        <source>How wide the target is, in m</source>
-        <translation>Hur brett målet är, i m</translation>
-    </message>
-    <message>
-        <source>The earliest moment to cut, in s</source>
-        <translation>Den tidigaste tidpunkten att klippa, i s</translation>
-    </message>
-    <message>
-        <source>The latest moment to cut, in s</source>
-        <translation>Den senaste tidpunkten att klippa, i s</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Spara diagrammet som bild eller dess siffror som tabell</translation>
     </message>
 </context>
 <context>
@@ -2480,6 +2430,37 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Kinds of events that are listed</source>
         <translation>Slag av händelser som listas</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportButton</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportera</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Spara diagrammet som bild eller dess siffror som tabell</translation>
+    </message>
+    <message>
+        <source>Chart…</source>
+        <translation>Diagram…</translation>
+    </message>
+    <message>
+        <source>Export chart</source>
+        <translation>Exportera diagram</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabell…</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Exportera tabell</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabell (*.csv)</translation>
     </message>
 </context>
 <context>
