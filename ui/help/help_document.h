@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QColor>
 #include <QFont>
@@ -17,6 +18,9 @@ struct PageLook {
   QColor text;
   QColor faint;          ///< lines of tables
   bool isPaper = false;  ///< set closer
+  /// Of the page at first; else it is laid out as wide as it likes, and for a moment again while
+  /// it is brought to another width [px].
+  std::optional<double> width = {};
 
   /// As the window's.
   static PageLook of(const QPalette& palette, const QFont& font);
