@@ -42,7 +42,7 @@ inline constexpr int kMostSolvers = 4;
 struct Problem {
   enum class Kind {
     kOutOfRange,   ///< `value` is not in `allowed`
-    kOutsideRoom,  ///< a pivot (`value` 0) or a disc of radius `value` [m] is not inside, but `at`
+    kOutsideRoom,  ///< a pivot (`value` 0) or a disc of radius `value` [m] reaches out, at `at`
     kOverlap,      ///< the weight overlaps the one with index `other`
     kTooMany       ///< `value` entries where at most `allowed.highest` may stand
   };

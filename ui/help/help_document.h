@@ -18,8 +18,8 @@ struct PageLook {
   QColor text;
   QColor faint;          ///< lines of tables
   bool isPaper = false;  ///< set closer
-  /// Of the page at first; else it is laid out as wide as it likes, and for a moment again while
-  /// it is brought to another width [px].
+  /// Of the page [px], for the window that will show it: else it is laid out as wide as it likes
+  /// first, and the window has a scroll bar for a moment.
   std::optional<double> width = {};
 
   /// As the window's.
