@@ -214,6 +214,7 @@ void WindowFace::connectFiles() {
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
   m_help = new HelpDesk(*m_commands, m_bench->editor(), m_window, this);
+  connect(m_help, &HelpDesk::done, this, &WindowFace::say);
   new RecentFiles(files, m_menu->recentFiles());
   connect(m_menu, &MainMenu::builtInChosen, files, &SceneFiles::openBuiltIn);
   connect(m_menu, &MainMenu::ledgerChosen, m_exports, &Exports::askAndSaveLedger);

@@ -30,6 +30,10 @@ class HelpDesk : public QObject {
   std::optional<HelpWindow::Place> place() const;
   void open(const HelpWindow::Place& place) { book()->bringUp(place); }
 
+ signals:
+  /// Something was printed or saved, in words.
+  void done(const QString& message);
+
  private:
   HelpWindow* book();
   void showSheet();

@@ -17,7 +17,6 @@
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTextBlock>
-#include <QTextBrowser>
 #include <QTextDocument>
 #include <QVBoxLayout>
 
@@ -25,6 +24,7 @@
 #include "ui/files/lessons.h"
 #include "ui/files/long_text.h"
 #include "ui/help/help_document.h"
+#include "ui/help/help_page.h"
 #include "ui/help/paper.h"
 #include "ui/style/icons.h"
 
@@ -47,7 +47,7 @@ HelpWindow::HelpWindow(QWidget* parent)
     : QDialog(parent),
       m_chapters(new QTabBar),
       m_contents(new QListWidget),
-      m_page(new QTextBrowser),
+      m_page(new HelpPage),
       m_lesson(lessons().front().name) {
   setObjectName("help");
   setWindowTitle(tr("Help"));
@@ -60,14 +60,13 @@ HelpWindow::HelpWindow(QWidget* parent)
   m_chapters->setAccessibleDescription(tr("Guide, model or teacher's sheets"));
   m_contents->setAccessibleName(tr("Contents"));
   m_contents->setAccessibleDescription(tr("What this chapter has; the one chosen is shown"));
+  m_contents->setToolTip(m_contents->accessibleDescription());
   m_contents->setFrameShape(QFrame::NoFrame);
   m_contents->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_contents->setSpacing(2);
   m_contents->setTextElideMode(Qt::ElideRight);
   m_page->setAccessibleName(tr("Text"));
   m_page->setAccessibleDescription(tr("The page that is open"));
-  m_page->setOpenLinks(false);
-  m_page->setFrameShape(QFrame::NoFrame);
   auto* book = new QHBoxLayout;
   book->addWidget(m_contents);
   book->addWidget(m_page, 1);
@@ -82,9 +81,7 @@ HelpWindow::HelpWindow(QWidget* parent)
 }
 
 QWidget* HelpWindow::buttons() {
-  auto* box = new QDialogButtonBox(QDialogButtonBox::Close);
-  box->button(QDialogButtonBox::Close)->setIcon(icon("close"));
-  box->button(QDialogButtonBox::Close)->setToolTip(tr("Close this window"));
+  auto* box = new QDialogButtonBox;
   const auto add = [&](const char* name, const QString& words, const QString& tip, auto slot) {
     QPushButton* button = box->addButton(words, QDialogButtonBox::ActionRole);
     button->setIcon(icon(name));
@@ -97,6 +94,10 @@ QWidget* HelpWindow::buttons() {
       ->setShortcut(QKeySequence::Print);
   add("save", tr("&Save as PDF…"), tr("Save these pages as a file"), &HelpWindow::savePdf)
       ->setShortcut(QKeySequence::Save);
+  // Last, as it stands: Tab goes in the order in which buttons are made.
+  QPushButton* close = box->addButton(QDialogButtonBox::Close);
+  close->setIcon(icon("close"));
+  close->setToolTip(tr("Close this window"));
   connect(box, &QDialogButtonBox::rejected, this, &QDialog::reject);
   return box;
 }
@@ -157,7 +158,8 @@ void HelpWindow::listContents() {
 }
 
 void HelpWindow::showText() {
-  const PageLook look = PageLook::of(m_page->palette(), font());
+  PageLook look = PageLook::of(m_page->palette(), font());
+  look.width = m_page->viewport()->width();
   std::unique_ptr<QTextDocument> document;
   switch (chapter()) {
     case Chapter::kGuide:

@@ -6,9 +6,7 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QMenu>
 #include <QSplitter>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/trade/measurement_csv.h"
@@ -20,11 +18,11 @@
 #include "ui/control/trade_words.h"
 #include "ui/files/lessons.h"
 #include "ui/files/output_file.h"
+#include "ui/panels/export_button.h"
 #include "ui/panels/export_message.h"
 #include "ui/panels/measurement_table.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/task_row.h"
-#include "ui/style/icons.h"
 
 namespace ui {
 namespace {
@@ -44,7 +42,8 @@ AccuracyPanel::AccuracyPanel(SceneEditor* editor, QWidget* parent)
       m_until(new QuantityField({.range = kUntilRange, .arrowStep = 1})),
       m_against(new QComboBox),
       m_error(new QComboBox),
-      m_export(exportButton()),
+      m_export(
+          new ExportButton([this] { return fileNameFrom(m_sceneName) + '-' + tr("accuracy"); })),
       m_chart(new TradeView<WorkPrecisionPlot>),
       m_table(new MeasurementTable),
       m_results(resultArea()),
@@ -62,6 +61,8 @@ AccuracyPanel::AccuracyPanel(SceneEditor* editor, QWidget* parent)
   layout->addStretch();
   connect(m_chart->plot(), &WorkPrecisionPlot::pointPicked, this, &AccuracyPanel::picked);
   connect(m_table, &MeasurementTable::rowPicked, this, &AccuracyPanel::picked);
+  connect(m_export, &ExportButton::chartWanted, this, &AccuracyPanel::saveChart);
+  connect(m_export, &ExportButton::tableWanted, this, &AccuracyPanel::saveTable);
   connect(m_row, &TaskRow::startWanted, this, [this] { measure(m_time); });
   connect(editor, &SceneEditor::sceneReplaced, this, &AccuracyPanel::forget);
   forget();
@@ -91,27 +92,6 @@ void AccuracyPanel::buildControls() {
   m_row->addLast(new QLabel(tr("Right within")));
   m_row->addLast(m_error);
   m_row->addLast(m_export);
-}
-
-QToolButton* AccuracyPanel::exportButton() {
-  auto* button = new QToolButton;
-  button->setText(tr("Export"));
-  button->setToolTip(tr("Save the chart as a picture or its figures as a table"));
-  button->setIcon(icon("save"));
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(button);
-  menu->addAction(icon("chart"), tr("Chart…"), this, [this] {
-    const QString file = askWhereToSave(this, tr("Export chart"), suggested("png"), pictureKinds());
-    if (!file.isEmpty()) saveChart(file);
-  });
-  menu->addAction(icon("table"), tr("Table…"), this, [this] {
-    const QString file =
-        askWhereToSave(this, tr("Export table"), suggested("csv"), {tr("Table (*.csv)")});
-    if (!file.isEmpty()) saveTable(file);
-  });
-  button->setMenu(menu);
-  return button;
 }
 
 QSplitter* AccuracyPanel::resultArea() {
@@ -189,10 +169,6 @@ void AccuracyPanel::saveChart(const QString& file) {
 
 void AccuracyPanel::saveTable(const QString& file) {
   sayIfNotExported(this, file, writeWhole(file, core::measurementCsv(*m_measurement)));
-}
-
-QString AccuracyPanel::suggested(const QString& ending) const {
-  return fileNameFrom(m_sceneName) + '-' + tr("accuracy") + '.' + ending;
 }
 
 }  // namespace ui

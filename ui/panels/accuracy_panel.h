@@ -11,11 +11,11 @@
 class QComboBox;
 class QLabel;
 class QSplitter;
-class QToolButton;
 
 namespace ui {
 
 class BackgroundTask;
+class ExportButton;
 class MeasurementTable;
 class QuantityField;
 class SceneEditor;
@@ -46,14 +46,12 @@ class AccuracyPanel : public QWidget {
 
  private:
   void buildControls();
-  QToolButton* exportButton();
   QSplitter* resultArea();
   void show(std::shared_ptr<const core::Measurement> measurement, const QString& sceneName);
   void showAgainst();
   void showFound();
   void divideRoom();
   void forget();
-  QString suggested(const QString& ending) const;
 
   SceneEditor* m_editor;
   BackgroundTask* m_task;
@@ -61,7 +59,7 @@ class AccuracyPanel : public QWidget {
   QuantityField* m_until;
   QComboBox* m_against;
   QComboBox* m_error;
-  QToolButton* m_export;
+  ExportButton* m_export;
   TradeView<WorkPrecisionPlot>* m_chart;
   MeasurementTable* m_table;
   QSplitter* m_results;  // both, once there are any

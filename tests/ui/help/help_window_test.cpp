@@ -17,6 +17,7 @@
 #include <QScreen>
 #include <QScrollBar>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -342,6 +343,8 @@ void HelpWindowTest::savesTheSheetAsPdf() {
   QFile pdf(file);
   QVERIFY(pdf.open(QIODevice::ReadOnly));
   QVERIFY(pdf.readAll().startsWith("%PDF"));
+  // The window says so, as it says everything that was done.
+  QCOMPARE(window.statusBar()->currentMessage(), "Saved " + file);
 }
 
 void HelpWindowTest::printsTheSheetIntoAFile() {
