@@ -4,6 +4,7 @@
 
 #include "core/scene/scene_limits.h"
 #include "ui/files/degree_text.h"
+#include "ui/files/problem_line.h"
 
 namespace app {
 
@@ -36,9 +37,10 @@ double Arguments::number(const QString& option, const core::Range& allowed,
   const std::optional<double> number = ui::numberFromText(text(option).toStdString());
   if (!number) refuse(option, tr("must be a number, got \"%1\"").arg(text(option)));
   if (allowed.contains(*number)) return *number;
-  throw CallRefused{QString::fromStdString(
-      core::messageFor({("--" + option).toStdString(), core::Problem::Kind::kOutOfRange, *number,
-                        allowed, -1, std::string()}))};
+  throw CallRefused{ui::problemLine({.place = "--" + option.toStdString(),
+                                     .kind = core::Problem::Kind::kOutOfRange,
+                                     .value = *number,
+                                     .allowed = allowed})};
 }
 
 QString Arguments::path(const QString& option) const {

@@ -48,6 +48,25 @@
     </message>
 </context>
 <context>
+    <name>QCommandLineParser</name>
+    <message>
+        <source>Unknown option &apos;%1&apos;.</source>
+        <translation>Unbekannte Option „%1“.</translation>
+    </message>
+    <message>
+        <source>Unknown options: %1.</source>
+        <translation>Unbekannte Optionen: %1.</translation>
+    </message>
+    <message>
+        <source>Missing value after &apos;%1&apos;.</source>
+        <translation>Nach „%1“ fehlt der Wert.</translation>
+    </message>
+    <message>
+        <source>Unexpected value after &apos;%1&apos;.</source>
+        <translation>Unerwarteter Wert nach „%1“.</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>Look in:</source>
@@ -289,6 +308,29 @@ Stellen Sie sicher, dass der Verzeichnisname richtig ist.</translation>
     </message>
 </context>
 <context>
+    <name>QIODevice</name>
+    <message>
+        <source>Permission denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>file to open is a directory</source>
+        <translation>das ist ein Ordner, keine Datei</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -403,6 +445,17 @@ Stellen Sie sicher, dass der Verzeichnisname richtig ist.</translation>
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>QSaveFile</name>
+    <message>
+        <source>Existing file %1 is not writable</source>
+        <translation>Die vorhandene Datei %1 ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Filename refers to a directory</source>
+        <translation>Der Name gehört zu einem Ordner</translation>
     </message>
 </context>
 <context>
@@ -944,30 +997,6 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <translation>Fehler bis</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Diagramm…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Diagramm exportieren</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabelle…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Tabelle exportieren</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabelle (*.csv)</translation>
-    </message>
-    <message>
         <source>Error against cost or step</source>
         <translation>Fehler gegen Aufwand oder Schrittweite</translation>
     </message>
@@ -994,10 +1023,6 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
         <translation>Größter Abstand vom wahren Ort, der zugelassen wird, in m: Welches Verfahren erreicht ihn mit dem kleinsten Aufwand?</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Das Diagramm als Bild oder seine Zahlen als Tabelle speichern</translation>
     </message>
 </context>
 <context>
@@ -1905,6 +1930,100 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
 </context>
 <context>
+    <name>ui::CutQuestions</name>
+    <message>
+        <source>Cut between</source>
+        <translation>Schnitt zwischen</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>Weight that is to hit the target</source>
+        <translation>Gewicht, das das Ziel treffen soll</translation>
+    </message>
+    <message>
+        <source>Which weight, counted from the left</source>
+        <translation>Welches Gewicht, von links gezählt</translation>
+    </message>
+    <message>
+        <source>Method that finds the moments</source>
+        <translation>Verfahren, das die Zeitpunkte sucht</translation>
+    </message>
+    <message>
+        <source>Center of the target</source>
+        <translation>Mitte des Ziels</translation>
+    </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Wo die Mitte des Ziels liegt, x in m von der linken Wand</translation>
+    </message>
+    <message>
+        <source>Width of the target</source>
+        <translation>Breite des Ziels</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Wie breit das Ziel ist, in m</translation>
+    </message>
+    <message>
+        <source>First cut time</source>
+        <translation>Erste Schnittzeit</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>Der früheste Zeitpunkt zum Schneiden, in s</translation>
+    </message>
+    <message>
+        <source>Last cut time</source>
+        <translation>Letzte Schnittzeit</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>Der späteste Zeitpunkt zum Schneiden, in s</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>mit</translation>
+    </message>
+    <message>
+        <source>Target at</source>
+        <translation>Ziel bei</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>must be later than the first</source>
+        <translation>muss später als die erste sein</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CutResults</name>
+    <message>
+        <source>when-to-cut</source>
+        <translation>schnittzeiten</translation>
+    </message>
+    <message>
+        <source>Copy chart</source>
+        <translation>Diagramm kopieren</translation>
+    </message>
+    <message>
+        <source>Copy chart data</source>
+        <translation>Diagrammdaten kopieren</translation>
+    </message>
+    <message>
+        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
+        <translation>Sucht für jede Schnittzeit, wo das Gewicht zuerst auf den Boden kommt, und die Zeitpunkte, die das Ziel treffen.</translation>
+    </message>
+</context>
+<context>
     <name>ui::CutSweep</name>
     <message>
         <source>straight to the floor</source>
@@ -2032,128 +2151,12 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <translation>Wann schneiden?</translation>
     </message>
     <message>
-        <source>Weight that is to hit the target</source>
-        <translation>Gewicht, das das Ziel treffen soll</translation>
-    </message>
-    <message>
-        <source>Which weight, counted from the left</source>
-        <translation>Welches Gewicht, von links gezählt</translation>
-    </message>
-    <message>
-        <source>Method that finds the moments</source>
-        <translation>Verfahren, das die Zeitpunkte sucht</translation>
-    </message>
-    <message>
-        <source>Center of the target</source>
-        <translation>Mitte des Ziels</translation>
-    </message>
-    <message>
-        <source>Width of the target</source>
-        <translation>Breite des Ziels</translation>
-    </message>
-    <message>
-        <source>First cut time</source>
-        <translation>Erste Schnittzeit</translation>
-    </message>
-    <message>
-        <source>Last cut time</source>
-        <translation>Letzte Schnittzeit</translation>
-    </message>
-    <message>
-        <source>Cut between</source>
-        <translation>Schnitt zwischen</translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation>und</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>mit</translation>
-    </message>
-    <message>
-        <source>Target at</source>
-        <translation>Ziel bei</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Diagramm…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Diagramm exportieren</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabelle…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Tabelle exportieren</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabelle (*.csv)</translation>
-    </message>
-    <message>
-        <source>Copy chart</source>
-        <translation>Diagramm kopieren</translation>
-    </message>
-    <message>
-        <source>Copy chart data</source>
-        <translation>Diagrammdaten kopieren</translation>
-    </message>
-    <message>
-        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
-        <translation>Sucht für jede Schnittzeit, wo das Gewicht zuerst auf den Boden kommt, und die Zeitpunkte, die das Ziel treffen.</translation>
-    </message>
-    <message>
-        <source>must be later than the first</source>
-        <translation>muss später als die erste sein</translation>
-    </message>
-    <message>
         <source>change of the cut</source>
         <translation>Änderung des Schnitts</translation>
     </message>
     <message>
         <source>All ropes are cut at %1 s now. Play to see where weight %2 lands.</source>
         <translation>Alle Seile werden nun bei %1 s durchgeschnitten. Spielen Sie ab, um zu sehen, wo Gewicht %2 landet.</translation>
-    </message>
-    <message>
-        <source>when-to-cut</source>
-        <translation>schnittzeiten</translation>
-    </message>
-    <message>
-        <source>Where the middle of the target lies, x in m from the left wall</source>
-        <translation>Wo die Mitte des Ziels liegt, x in m von der linken Wand</translation>
-    </message>
-    <message>
-        <source>How wide the target is, in m</source>
-        <translation>Wie breit das Ziel ist, in m</translation>
-    </message>
-    <message>
-        <source>The earliest moment to cut, in s</source>
-        <translation>Der früheste Zeitpunkt zum Schneiden, in s</translation>
-    </message>
-    <message>
-        <source>The latest moment to cut, in s</source>
-        <translation>Der späteste Zeitpunkt zum Schneiden, in s</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Das Diagramm als Bild oder seine Zahlen als Tabelle speichern</translation>
     </message>
 </context>
 <context>
@@ -2428,6 +2431,37 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>Kinds of events that are listed</source>
         <translation>Arten von Ereignissen, die aufgeführt werden</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportButton</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Das Diagramm als Bild oder seine Zahlen als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Chart…</source>
+        <translation>Diagramm…</translation>
+    </message>
+    <message>
+        <source>Export chart</source>
+        <translation>Diagramm exportieren</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabelle…</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Tabelle exportieren</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -3489,6 +3523,33 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     </message>
 </context>
 <context>
+    <name>ui::ProblemLine</name>
+    <message>
+        <source>must be at least %1, got %2</source>
+        <translation>muss mindestens %1 sein, ist aber %2</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, got %3</source>
+        <translation>muss von %1 bis %2 sein, ist aber %3</translation>
+    </message>
+    <message>
+        <source>must be inside the room, got %1</source>
+        <translation>muss im Raum liegen, ist aber %1</translation>
+    </message>
+    <message>
+        <source>must put the whole weight, of radius %1 m, inside the room, got %2</source>
+        <translation>muss das ganze Gewicht, mit Radius %1 m, im Raum halten, ist aber %2</translation>
+    </message>
+    <message>
+        <source>must not overlap %1 at the start</source>
+        <translation>darf %1 beim Start nicht überlappen</translation>
+    </message>
+    <message>
+        <source>must be at most %1, got %2</source>
+        <translation>darf höchstens %1 sein, ist aber %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::ProblemWords</name>
     <message>
         <source>Gravity</source>
@@ -3566,20 +3627,36 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
         <source>Weights %1 and %2 overlap at the start.</source>
         <translation>Die Gewichte %1 und %2 überlappen sich beim Start.</translation>
     </message>
-    <message>
-        <source>There are more than %1.</source>
-        <translation>Es gibt mehr als %1.</translation>
-    </message>
-    <message>
-        <source>There is no method named %1.</source>
-        <translation>Es gibt kein Verfahren namens %1.</translation>
-    </message>
     <message numerus="yes">
         <source>(and %n more problem(s))</source>
         <translation>
             <numerusform>(und %n weiteres Problem)</numerusform>
             <numerusform>(und %n weitere Probleme)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The angular velocity</source>
+        <translation>Die Winkelgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The velocity x</source>
+        <translation>Die Geschwindigkeit x</translation>
+    </message>
+    <message>
+        <source>The velocity y</source>
+        <translation>Die Geschwindigkeit y</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>Die Toleranz</translation>
+    </message>
+    <message>
+        <source>There are more than %1 runs.</source>
+        <translation>Es gibt mehr als %1 Läufe.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 weights.</source>
+        <translation>Es gibt mehr als %1 Gewichte.</translation>
     </message>
 </context>
 <context>
@@ -4041,6 +4118,10 @@ oder Toleranz) und Aufwand (ns Rechenzeit pro simulierter Sekunde): für einen F
     <message>
         <source>must be like &quot;#e69f00&quot;, got %1</source>
         <translation>muss wie „#e69f00“ sein, ist aber %1</translation>
+    </message>
+    <message>
+        <source>there is no method named %1</source>
+        <translation>es gibt kein Verfahren namens %1</translation>
     </message>
 </context>
 <context>
@@ -4926,6 +5007,26 @@ in m</translation>
         <source>Velocity v at the start: x to the right, y up, in m/s</source>
         <translation>Geschwindigkeit v am Anfang: x nach rechts, y nach oben, in m/s</translation>
     </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masse m, in kg. Ohne Luft ist sie für eine Schwingung gleichgültig; mit Luft wird ein schwereres Gewicht weniger gebremst.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radius r, in m. Die Luft trifft auf die Fläche A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Widerstandsbeiwert c_d, ohne Einheit: wie sehr die Form von Luft gebremst wird. 0,47 für eine Kugel.</translation>
+    </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Länge des Seils L, in m: vom Aufhängepunkt bis zur Mitte des Gewichts. Eine kleine Schwingung dauert T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Winkel θ des Seils am Anfang, in Grad von senkrecht nach unten, positiv nach rechts.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -5057,26 +5158,6 @@ in m</translation>
     <message>
         <source>All weights in a table…</source>
         <translation>Alle Gewichte in einer Tabelle…</translation>
-    </message>
-    <message>
-        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Länge des Seils L, in m: vom Aufhängepunkt bis zur Mitte des Gewichts. Eine kleine Schwingung dauert T = 2π √(L/g).</translation>
-    </message>
-    <message>
-        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Winkel θ des Seils am Anfang, in Grad von senkrecht nach unten, positiv nach rechts.</translation>
-    </message>
-    <message>
-        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Masse m, in kg. Ohne Luft ist sie für eine Schwingung gleichgültig; mit Luft wird ein schwereres Gewicht weniger gebremst.</translation>
-    </message>
-    <message>
-        <source>Radius r, in m. Air meets the area A = π r².</source>
-        <translation>Radius r, in m. Die Luft trifft auf die Fläche A = π r².</translation>
-    </message>
-    <message>
-        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
-        <translation>Widerstandsbeiwert c_d, ohne Einheit: wie sehr die Form von Luft gebremst wird. 0,47 für eine Kugel.</translation>
     </message>
     <message>
         <source>Change many weights at once, and copy them from and to spreadsheets</source>

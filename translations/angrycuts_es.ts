@@ -48,6 +48,25 @@
     </message>
 </context>
 <context>
+    <name>QCommandLineParser</name>
+    <message>
+        <source>Unknown option &apos;%1&apos;.</source>
+        <translation>Opción desconocida «%1».</translation>
+    </message>
+    <message>
+        <source>Unknown options: %1.</source>
+        <translation>Opciones desconocidas: %1.</translation>
+    </message>
+    <message>
+        <source>Missing value after &apos;%1&apos;.</source>
+        <translation>Falta el valor después de «%1».</translation>
+    </message>
+    <message>
+        <source>Unexpected value after &apos;%1&apos;.</source>
+        <translation>Valor inesperado después de «%1».</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>Look in:</source>
@@ -289,6 +308,29 @@ Compruebe el nombre de la carpeta.</translation>
     </message>
 </context>
 <context>
+    <name>QIODevice</name>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permiso denegado</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Demasiados archivos abiertos</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>No existe el archivo o la carpeta</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>No queda espacio en el dispositivo</translation>
+    </message>
+    <message>
+        <source>file to open is a directory</source>
+        <translation>es una carpeta, no un archivo</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -403,6 +445,17 @@ Compruebe el nombre de la carpeta.</translation>
     <message>
         <source>Help</source>
         <translation>Ayuda</translation>
+    </message>
+</context>
+<context>
+    <name>QSaveFile</name>
+    <message>
+        <source>Existing file %1 is not writable</source>
+        <translation>El archivo %1 ya existe y no se puede modificar</translation>
+    </message>
+    <message>
+        <source>Filename refers to a directory</source>
+        <translation>El nombre es el de una carpeta</translation>
     </message>
 </context>
 <context>
@@ -945,30 +998,6 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <translation>Precisión</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Gráfico…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exportar gráfico</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabla…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exportar tabla</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabla (*.csv)</translation>
-    </message>
-    <message>
         <source>Error against cost or step</source>
         <translation>Error según el coste o el paso</translation>
     </message>
@@ -995,10 +1024,6 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
         <translation>Mayor distancia aceptada al lugar verdadero, en m: ¿qué método la alcanza al menor coste?</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Guardar el gráfico como imagen o sus cifras como tabla</translation>
     </message>
 </context>
 <context>
@@ -1906,6 +1931,100 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
 </context>
 <context>
+    <name>ui::CutQuestions</name>
+    <message>
+        <source>Cut between</source>
+        <translation>Cortar entre</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Weight that is to hit the target</source>
+        <translation>Pesa que debe dar en la diana</translation>
+    </message>
+    <message>
+        <source>Which weight, counted from the left</source>
+        <translation>Qué pesa, contada desde la izquierda</translation>
+    </message>
+    <message>
+        <source>Method that finds the moments</source>
+        <translation>Método que busca los instantes</translation>
+    </message>
+    <message>
+        <source>Center of the target</source>
+        <translation>Centro de la diana</translation>
+    </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Dónde está el centro de la diana, x en m desde la pared izquierda</translation>
+    </message>
+    <message>
+        <source>Width of the target</source>
+        <translation>Ancho de la diana</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Ancho de la diana, en m</translation>
+    </message>
+    <message>
+        <source>First cut time</source>
+        <translation>Primer instante de corte</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>El primer instante para cortar, en s</translation>
+    </message>
+    <message>
+        <source>Last cut time</source>
+        <translation>Último instante de corte</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>El último instante para cortar, en s</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Pesa</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>con</translation>
+    </message>
+    <message>
+        <source>Target at</source>
+        <translation>Diana en</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>must be later than the first</source>
+        <translation>debe ser posterior al primero</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CutResults</name>
+    <message>
+        <source>when-to-cut</source>
+        <translation>cuando-cortar</translation>
+    </message>
+    <message>
+        <source>Copy chart</source>
+        <translation>Copiar gráfico</translation>
+    </message>
+    <message>
+        <source>Copy chart data</source>
+        <translation>Copiar datos</translation>
+    </message>
+    <message>
+        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
+        <translation>Busca, para cada instante del corte, dónde llega primero la pesa al suelo, y los instantes que dan en la diana.</translation>
+    </message>
+</context>
+<context>
     <name>ui::CutSweep</name>
     <message>
         <source>straight to the floor</source>
@@ -2033,128 +2152,12 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <translation>¿Cuándo cortar?</translation>
     </message>
     <message>
-        <source>Weight that is to hit the target</source>
-        <translation>Pesa que debe dar en la diana</translation>
-    </message>
-    <message>
-        <source>Which weight, counted from the left</source>
-        <translation>Qué pesa, contada desde la izquierda</translation>
-    </message>
-    <message>
-        <source>Method that finds the moments</source>
-        <translation>Método que busca los instantes</translation>
-    </message>
-    <message>
-        <source>Center of the target</source>
-        <translation>Centro de la diana</translation>
-    </message>
-    <message>
-        <source>Width of the target</source>
-        <translation>Ancho de la diana</translation>
-    </message>
-    <message>
-        <source>First cut time</source>
-        <translation>Primer instante de corte</translation>
-    </message>
-    <message>
-        <source>Last cut time</source>
-        <translation>Último instante de corte</translation>
-    </message>
-    <message>
-        <source>Cut between</source>
-        <translation>Cortar entre</translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation>y</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Pesa</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>con</translation>
-    </message>
-    <message>
-        <source>Target at</source>
-        <translation>Diana en</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Ancho</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Gráfico…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exportar gráfico</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabla…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exportar tabla</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabla (*.csv)</translation>
-    </message>
-    <message>
-        <source>Copy chart</source>
-        <translation>Copiar gráfico</translation>
-    </message>
-    <message>
-        <source>Copy chart data</source>
-        <translation>Copiar datos</translation>
-    </message>
-    <message>
-        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
-        <translation>Busca, para cada instante del corte, dónde llega primero la pesa al suelo, y los instantes que dan en la diana.</translation>
-    </message>
-    <message>
-        <source>must be later than the first</source>
-        <translation>debe ser posterior al primero</translation>
-    </message>
-    <message>
         <source>change of the cut</source>
         <translation>cambio del corte</translation>
     </message>
     <message>
         <source>All ropes are cut at %1 s now. Play to see where weight %2 lands.</source>
         <translation>Ahora todas las cuerdas se cortan a los %1 s. Reproduzca para ver dónde cae la pesa %2.</translation>
-    </message>
-    <message>
-        <source>when-to-cut</source>
-        <translation>cuando-cortar</translation>
-    </message>
-    <message>
-        <source>Where the middle of the target lies, x in m from the left wall</source>
-        <translation>Dónde está el centro de la diana, x en m desde la pared izquierda</translation>
-    </message>
-    <message>
-        <source>How wide the target is, in m</source>
-        <translation>Ancho de la diana, en m</translation>
-    </message>
-    <message>
-        <source>The earliest moment to cut, in s</source>
-        <translation>El primer instante para cortar, en s</translation>
-    </message>
-    <message>
-        <source>The latest moment to cut, in s</source>
-        <translation>El último instante para cortar, en s</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Guardar el gráfico como imagen o sus cifras como tabla</translation>
     </message>
 </context>
 <context>
@@ -2429,6 +2432,37 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>Kinds of events that are listed</source>
         <translation>Tipos de eventos que se muestran</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportButton</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Guardar el gráfico como imagen o sus cifras como tabla</translation>
+    </message>
+    <message>
+        <source>Chart…</source>
+        <translation>Gráfico…</translation>
+    </message>
+    <message>
+        <source>Export chart</source>
+        <translation>Exportar gráfico</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabla…</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Exportar tabla</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabla (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -3490,6 +3524,33 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     </message>
 </context>
 <context>
+    <name>ui::ProblemLine</name>
+    <message>
+        <source>must be at least %1, got %2</source>
+        <translation>se esperaba al menos %1, no %2</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, got %3</source>
+        <translation>se esperaba de %1 a %2, no %3</translation>
+    </message>
+    <message>
+        <source>must be inside the room, got %1</source>
+        <translation>debe estar dentro de la sala, no en %1</translation>
+    </message>
+    <message>
+        <source>must put the whole weight, of radius %1 m, inside the room, got %2</source>
+        <translation>debe dejar toda la pesa, de radio %1 m, dentro de la sala, no en %2</translation>
+    </message>
+    <message>
+        <source>must not overlap %1 at the start</source>
+        <translation>no debe solaparse con %1 al inicio</translation>
+    </message>
+    <message>
+        <source>must be at most %1, got %2</source>
+        <translation>se esperaba como máximo %1, no %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::ProblemWords</name>
     <message>
         <source>Gravity</source>
@@ -3567,20 +3628,36 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
         <source>Weights %1 and %2 overlap at the start.</source>
         <translation>Las pesas %1 y %2 se solapan al inicio.</translation>
     </message>
-    <message>
-        <source>There are more than %1.</source>
-        <translation>Hay más de %1.</translation>
-    </message>
-    <message>
-        <source>There is no method named %1.</source>
-        <translation>No hay ningún método llamado %1.</translation>
-    </message>
     <message numerus="yes">
         <source>(and %n more problem(s))</source>
         <translation>
             <numerusform>(y %n problema más)</numerusform>
             <numerusform>(y %n problemas más)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The angular velocity</source>
+        <translation>La velocidad angular</translation>
+    </message>
+    <message>
+        <source>The velocity x</source>
+        <translation>La velocidad x</translation>
+    </message>
+    <message>
+        <source>The velocity y</source>
+        <translation>La velocidad y</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>La tolerancia</translation>
+    </message>
+    <message>
+        <source>There are more than %1 runs.</source>
+        <translation>Hay más de %1 simulaciones.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 weights.</source>
+        <translation>Hay más de %1 pesas.</translation>
     </message>
 </context>
 <context>
@@ -4042,6 +4119,10 @@ tolerancia) y coste (ns de cálculo por segundo simulado): para un error de 1e-6
     <message>
         <source>must be like &quot;#e69f00&quot;, got %1</source>
         <translation>debe ser como &quot;#e69f00&quot;, no %1</translation>
+    </message>
+    <message>
+        <source>there is no method named %1</source>
+        <translation>no hay ningún método llamado %1</translation>
     </message>
 </context>
 <context>
@@ -4927,6 +5008,26 @@ en m</translation>
         <source>Velocity v at the start: x to the right, y up, in m/s</source>
         <translation>Velocidad v al inicio: x a la derecha, y hacia arriba, en m/s</translation>
     </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masa m, en kg. No importa en una oscilación sin aire; con aire, una pesa más pesada se frena menos.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radio r, en m. El aire encuentra el área A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Coeficiente de arrastre c_d, sin unidad: cuánto frena el aire a la forma. 0,47 para una esfera.</translation>
+    </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Longitud de la cuerda L, en m: de su pivote al centro de la pesa. Una oscilación pequeña dura T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Ángulo θ de la cuerda al inicio, en grados desde la vertical hacia abajo, positivo hacia la derecha.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -5058,26 +5159,6 @@ en m</translation>
     <message>
         <source>All weights in a table…</source>
         <translation>Todas las pesas en una tabla…</translation>
-    </message>
-    <message>
-        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Longitud de la cuerda L, en m: de su pivote al centro de la pesa. Una oscilación pequeña dura T = 2π √(L/g).</translation>
-    </message>
-    <message>
-        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Ángulo θ de la cuerda al inicio, en grados desde la vertical hacia abajo, positivo hacia la derecha.</translation>
-    </message>
-    <message>
-        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Masa m, en kg. No importa en una oscilación sin aire; con aire, una pesa más pesada se frena menos.</translation>
-    </message>
-    <message>
-        <source>Radius r, in m. Air meets the area A = π r².</source>
-        <translation>Radio r, en m. El aire encuentra el área A = π r².</translation>
-    </message>
-    <message>
-        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
-        <translation>Coeficiente de arrastre c_d, sin unidad: cuánto frena el aire a la forma. 0,47 para una esfera.</translation>
     </message>
     <message>
         <source>Change many weights at once, and copy them from and to spreadsheets</source>

@@ -48,6 +48,25 @@
     </message>
 </context>
 <context>
+    <name>QCommandLineParser</name>
+    <message>
+        <source>Unknown option &apos;%1&apos;.</source>
+        <translation>Option inconnue «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Unknown options: %1.</source>
+        <translation>Options inconnues&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Missing value after &apos;%1&apos;.</source>
+        <translation>Valeur manquante après «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Unexpected value after &apos;%1&apos;.</source>
+        <translation>Valeur inattendue après «&#xa0;%1&#xa0;».</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>Look in:</source>
@@ -289,6 +308,29 @@ Veuillez vérifier le nom du dossier.</translation>
     </message>
 </context>
 <context>
+    <name>QIODevice</name>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permission refusée</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Trop de fichiers ouverts</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Fichier ou dossier introuvable</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Plus d’espace sur le disque</translation>
+    </message>
+    <message>
+        <source>file to open is a directory</source>
+        <translation>c’est un dossier, pas un fichier</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -403,6 +445,17 @@ Veuillez vérifier le nom du dossier.</translation>
     <message>
         <source>Help</source>
         <translation>Aide</translation>
+    </message>
+</context>
+<context>
+    <name>QSaveFile</name>
+    <message>
+        <source>Existing file %1 is not writable</source>
+        <translation>Le fichier %1 existe et ne peut pas être modifié</translation>
+    </message>
+    <message>
+        <source>Filename refers to a directory</source>
+        <translation>Ce nom est celui d’un dossier</translation>
     </message>
 </context>
 <context>
@@ -945,30 +998,6 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <translation>Précision</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Graphique…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exporter le graphique</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tableau…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exporter le tableau</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tableau (*.csv)</translation>
-    </message>
-    <message>
         <source>Error against cost or step</source>
         <translation>Erreur selon le coût ou le pas</translation>
     </message>
@@ -995,10 +1024,6 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
         <translation>Plus grande distance acceptée à la vraie position, en m&#xa0;: quelle méthode l’atteint au moindre coût&#xa0;?</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Enregistrer le graphique en image ou ses valeurs en tableau</translation>
     </message>
 </context>
 <context>
@@ -1906,6 +1931,100 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
 </context>
 <context>
+    <name>ui::CutQuestions</name>
+    <message>
+        <source>Cut between</source>
+        <translation>Couper entre</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>et</translation>
+    </message>
+    <message>
+        <source>Weight that is to hit the target</source>
+        <translation>Bille qui doit toucher la cible</translation>
+    </message>
+    <message>
+        <source>Which weight, counted from the left</source>
+        <translation>Quelle bille, comptée depuis la gauche</translation>
+    </message>
+    <message>
+        <source>Method that finds the moments</source>
+        <translation>Méthode qui cherche les instants</translation>
+    </message>
+    <message>
+        <source>Center of the target</source>
+        <translation>Centre de la cible</translation>
+    </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Position du milieu de la cible, x en m depuis le mur gauche</translation>
+    </message>
+    <message>
+        <source>Width of the target</source>
+        <translation>Largeur de la cible</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Largeur de la cible, en m</translation>
+    </message>
+    <message>
+        <source>First cut time</source>
+        <translation>Premier instant de coupe</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>Le premier instant de coupe, en s</translation>
+    </message>
+    <message>
+        <source>Last cut time</source>
+        <translation>Dernier instant de coupe</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>Le dernier instant de coupe, en s</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Bille</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>par</translation>
+    </message>
+    <message>
+        <source>Target at</source>
+        <translation>Cible à</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>must be later than the first</source>
+        <translation>doit être après le premier</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CutResults</name>
+    <message>
+        <source>when-to-cut</source>
+        <translation>quand-couper</translation>
+    </message>
+    <message>
+        <source>Copy chart</source>
+        <translation>Copier le graphique</translation>
+    </message>
+    <message>
+        <source>Copy chart data</source>
+        <translation>Copier les données</translation>
+    </message>
+    <message>
+        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
+        <translation>Cherche, pour chaque instant de coupe, où la bille arrive d’abord au sol, et les instants qui touchent la cible.</translation>
+    </message>
+</context>
+<context>
     <name>ui::CutSweep</name>
     <message>
         <source>straight to the floor</source>
@@ -2033,128 +2152,12 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <translation>Quand couper&#xa0;?</translation>
     </message>
     <message>
-        <source>Weight that is to hit the target</source>
-        <translation>Bille qui doit toucher la cible</translation>
-    </message>
-    <message>
-        <source>Which weight, counted from the left</source>
-        <translation>Quelle bille, comptée depuis la gauche</translation>
-    </message>
-    <message>
-        <source>Method that finds the moments</source>
-        <translation>Méthode qui cherche les instants</translation>
-    </message>
-    <message>
-        <source>Center of the target</source>
-        <translation>Centre de la cible</translation>
-    </message>
-    <message>
-        <source>Width of the target</source>
-        <translation>Largeur de la cible</translation>
-    </message>
-    <message>
-        <source>First cut time</source>
-        <translation>Premier instant de coupe</translation>
-    </message>
-    <message>
-        <source>Last cut time</source>
-        <translation>Dernier instant de coupe</translation>
-    </message>
-    <message>
-        <source>Cut between</source>
-        <translation>Couper entre</translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation>et</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Bille</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>par</translation>
-    </message>
-    <message>
-        <source>Target at</source>
-        <translation>Cible à</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Largeur</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Graphique…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exporter le graphique</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tableau…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exporter le tableau</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tableau (*.csv)</translation>
-    </message>
-    <message>
-        <source>Copy chart</source>
-        <translation>Copier le graphique</translation>
-    </message>
-    <message>
-        <source>Copy chart data</source>
-        <translation>Copier les données</translation>
-    </message>
-    <message>
-        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
-        <translation>Cherche, pour chaque instant de coupe, où la bille arrive d’abord au sol, et les instants qui touchent la cible.</translation>
-    </message>
-    <message>
-        <source>must be later than the first</source>
-        <translation>doit être après le premier</translation>
-    </message>
-    <message>
         <source>change of the cut</source>
         <translation>changement de la coupe</translation>
     </message>
     <message>
         <source>All ropes are cut at %1 s now. Play to see where weight %2 lands.</source>
         <translation>Toutes les cordes sont maintenant coupées à %1 s. Lancez la lecture pour voir où tombe la bille %2.</translation>
-    </message>
-    <message>
-        <source>when-to-cut</source>
-        <translation>quand-couper</translation>
-    </message>
-    <message>
-        <source>Where the middle of the target lies, x in m from the left wall</source>
-        <translation>Position du milieu de la cible, x en m depuis le mur gauche</translation>
-    </message>
-    <message>
-        <source>How wide the target is, in m</source>
-        <translation>Largeur de la cible, en m</translation>
-    </message>
-    <message>
-        <source>The earliest moment to cut, in s</source>
-        <translation>Le premier instant de coupe, en s</translation>
-    </message>
-    <message>
-        <source>The latest moment to cut, in s</source>
-        <translation>Le dernier instant de coupe, en s</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Enregistrer le graphique en image ou ses valeurs en tableau</translation>
     </message>
 </context>
 <context>
@@ -2429,6 +2432,37 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>Kinds of events that are listed</source>
         <translation>Types d’événements affichés</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportButton</name>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Enregistrer le graphique en image ou ses valeurs en tableau</translation>
+    </message>
+    <message>
+        <source>Chart…</source>
+        <translation>Graphique…</translation>
+    </message>
+    <message>
+        <source>Export chart</source>
+        <translation>Exporter le graphique</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tableau…</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Exporter le tableau</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -3490,6 +3524,33 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     </message>
 </context>
 <context>
+    <name>ui::ProblemLine</name>
+    <message>
+        <source>must be at least %1, got %2</source>
+        <translation>attendu&#xa0;: au moins %1&#xa0;; lu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, got %3</source>
+        <translation>attendu&#xa0;: de %1 à %2&#xa0;; lu&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>must be inside the room, got %1</source>
+        <translation>attendu&#xa0;: un point dans la pièce&#xa0;; lu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>must put the whole weight, of radius %1 m, inside the room, got %2</source>
+        <translation>attendu&#xa0;: la bille entière, de rayon %1 m, dans la pièce&#xa0;; lu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>must not overlap %1 at the start</source>
+        <translation>ne doit pas recouvrir %1 au départ</translation>
+    </message>
+    <message>
+        <source>must be at most %1, got %2</source>
+        <translation>attendu&#xa0;: au plus %1&#xa0;; lu&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::ProblemWords</name>
     <message>
         <source>Gravity</source>
@@ -3567,20 +3628,36 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
         <source>Weights %1 and %2 overlap at the start.</source>
         <translation>Les billes %1 et %2 se recouvrent au départ.</translation>
     </message>
-    <message>
-        <source>There are more than %1.</source>
-        <translation>Il y en a plus de %1.</translation>
-    </message>
-    <message>
-        <source>There is no method named %1.</source>
-        <translation>Il n’y a pas de méthode nommée %1.</translation>
-    </message>
     <message numerus="yes">
         <source>(and %n more problem(s))</source>
         <translation>
             <numerusform>(et %n autre problème)</numerusform>
             <numerusform>(et %n autres problèmes)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The angular velocity</source>
+        <translation>La vitesse angulaire</translation>
+    </message>
+    <message>
+        <source>The velocity x</source>
+        <translation>La vitesse x</translation>
+    </message>
+    <message>
+        <source>The velocity y</source>
+        <translation>La vitesse y</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>La tolérance</translation>
+    </message>
+    <message>
+        <source>There are more than %1 runs.</source>
+        <translation>Il y a plus de %1 simulations.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 weights.</source>
+        <translation>Il y a plus de %1 billes.</translation>
     </message>
 </context>
 <context>
@@ -4042,6 +4119,10 @@ tolérance) et coût (ns de calcul par seconde simulée)&#xa0;: pour une erreur 
     <message>
         <source>must be like &quot;#e69f00&quot;, got %1</source>
         <translation>attendu&#xa0;: de la forme &quot;#e69f00&quot;&#xa0;; lu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>there is no method named %1</source>
+        <translation>il n’y a pas de méthode nommée %1</translation>
     </message>
 </context>
 <context>
@@ -4927,6 +5008,26 @@ en m</translation>
         <source>Velocity v at the start: x to the right, y up, in m/s</source>
         <translation>Vitesse v au départ&#xa0;: x vers la droite, y vers le haut, en m/s</translation>
     </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Masse m, en kg. Elle ne compte pas pour une oscillation sans air&#xa0;; dans l’air, une bille plus lourde est moins freinée.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Rayon r, en m. L’air rencontre la surface A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Coefficient de traînée c_d, sans unité&#xa0;: à quel point l’air retient la forme. 0,47 pour une sphère.</translation>
+    </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Longueur de la corde L, en m&#xa0;: de son pivot au centre de la bille. Une petite oscillation dure T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Angle θ de la corde au départ, en degrés depuis la verticale vers le bas, positif vers la droite.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -5058,26 +5159,6 @@ en m</translation>
     <message>
         <source>All weights in a table…</source>
         <translation>Toutes les billes en tableau…</translation>
-    </message>
-    <message>
-        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Longueur de la corde L, en m&#xa0;: de son pivot au centre de la bille. Une petite oscillation dure T = 2π √(L/g).</translation>
-    </message>
-    <message>
-        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Angle θ de la corde au départ, en degrés depuis la verticale vers le bas, positif vers la droite.</translation>
-    </message>
-    <message>
-        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Masse m, en kg. Elle ne compte pas pour une oscillation sans air&#xa0;; dans l’air, une bille plus lourde est moins freinée.</translation>
-    </message>
-    <message>
-        <source>Radius r, in m. Air meets the area A = π r².</source>
-        <translation>Rayon r, en m. L’air rencontre la surface A = π r².</translation>
-    </message>
-    <message>
-        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
-        <translation>Coefficient de traînée c_d, sans unité&#xa0;: à quel point l’air retient la forme. 0,47 pour une sphère.</translation>
     </message>
     <message>
         <source>Change many weights at once, and copy them from and to spreadsheets</source>

@@ -48,6 +48,25 @@
     </message>
 </context>
 <context>
+    <name>QCommandLineParser</name>
+    <message>
+        <source>Unknown option &apos;%1&apos;.</source>
+        <translation>Okänt alternativ ”%1”.</translation>
+    </message>
+    <message>
+        <source>Unknown options: %1.</source>
+        <translation>Okända alternativ: %1.</translation>
+    </message>
+    <message>
+        <source>Missing value after &apos;%1&apos;.</source>
+        <translation>Värde saknas efter ”%1”.</translation>
+    </message>
+    <message>
+        <source>Unexpected value after &apos;%1&apos;.</source>
+        <translation>Oväntat värde efter ”%1”.</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>Look in:</source>
@@ -289,6 +308,29 @@ Kontrollera att namnet är rätt.</translation>
     </message>
 </context>
 <context>
+    <name>QIODevice</name>
+    <message>
+        <source>Permission denied</source>
+        <translation>Åtkomst nekad</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>För många öppna filer</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Filen eller mappen finns inte</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Enheten är full</translation>
+    </message>
+    <message>
+        <source>file to open is a directory</source>
+        <translation>det är en mapp, ingen fil</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -403,6 +445,17 @@ Kontrollera att namnet är rätt.</translation>
     <message>
         <source>Help</source>
         <translation>Hjälp</translation>
+    </message>
+</context>
+<context>
+    <name>QSaveFile</name>
+    <message>
+        <source>Existing file %1 is not writable</source>
+        <translation>Filen %1 finns och är skrivskyddad</translation>
+    </message>
+    <message>
+        <source>Filename refers to a directory</source>
+        <translation>Namnet tillhör en mapp</translation>
     </message>
 </context>
 <context>
@@ -943,30 +996,6 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <translation>Fel högst</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportera</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Diagram…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exportera diagram</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabell…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exportera tabell</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabell (*.csv)</translation>
-    </message>
-    <message>
         <source>Error against cost or step</source>
         <translation>Fel mot kostnad eller steg</translation>
     </message>
@@ -993,10 +1022,6 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Largest distance from the true place that is accepted, in m: which method reaches it at the lowest cost?</source>
         <translation>Största avstånd från rätt plats som godtas, i m: vilken metod når det till lägsta kostnad?</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Spara diagrammet som bild eller dess siffror som tabell</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1929,100 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
 </context>
 <context>
+    <name>ui::CutQuestions</name>
+    <message>
+        <source>Cut between</source>
+        <translation>Klipp mellan</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>och</translation>
+    </message>
+    <message>
+        <source>Weight that is to hit the target</source>
+        <translation>Vikt som ska träffa målet</translation>
+    </message>
+    <message>
+        <source>Which weight, counted from the left</source>
+        <translation>Vilken vikt, räknat från vänster</translation>
+    </message>
+    <message>
+        <source>Method that finds the moments</source>
+        <translation>Metod som söker tidpunkterna</translation>
+    </message>
+    <message>
+        <source>Center of the target</source>
+        <translation>Målets mitt</translation>
+    </message>
+    <message>
+        <source>Where the middle of the target lies, x in m from the left wall</source>
+        <translation>Var målets mitt ligger, x i m från vänstra väggen</translation>
+    </message>
+    <message>
+        <source>Width of the target</source>
+        <translation>Målets bredd</translation>
+    </message>
+    <message>
+        <source>How wide the target is, in m</source>
+        <translation>Hur brett målet är, i m</translation>
+    </message>
+    <message>
+        <source>First cut time</source>
+        <translation>Första klipptid</translation>
+    </message>
+    <message>
+        <source>The earliest moment to cut, in s</source>
+        <translation>Den tidigaste tidpunkten att klippa, i s</translation>
+    </message>
+    <message>
+        <source>Last cut time</source>
+        <translation>Sista klipptid</translation>
+    </message>
+    <message>
+        <source>The latest moment to cut, in s</source>
+        <translation>Den senaste tidpunkten att klippa, i s</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Vikt</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>med</translation>
+    </message>
+    <message>
+        <source>Target at</source>
+        <translation>Mål vid</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
+    </message>
+    <message>
+        <source>must be later than the first</source>
+        <translation>måste vara senare än den första</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CutResults</name>
+    <message>
+        <source>when-to-cut</source>
+        <translation>klipptider</translation>
+    </message>
+    <message>
+        <source>Copy chart</source>
+        <translation>Kopiera diagram</translation>
+    </message>
+    <message>
+        <source>Copy chart data</source>
+        <translation>Kopiera diagramdata</translation>
+    </message>
+    <message>
+        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
+        <translation>Söker var vikten först kommer till golvet för varje klipptid, och de tidpunkter som träffar målet.</translation>
+    </message>
+</context>
+<context>
     <name>ui::CutSweep</name>
     <message>
         <source>straight to the floor</source>
@@ -2031,128 +2150,12 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <translation>När ska man klippa?</translation>
     </message>
     <message>
-        <source>Weight that is to hit the target</source>
-        <translation>Vikt som ska träffa målet</translation>
-    </message>
-    <message>
-        <source>Which weight, counted from the left</source>
-        <translation>Vilken vikt, räknat från vänster</translation>
-    </message>
-    <message>
-        <source>Method that finds the moments</source>
-        <translation>Metod som söker tidpunkterna</translation>
-    </message>
-    <message>
-        <source>Center of the target</source>
-        <translation>Målets mitt</translation>
-    </message>
-    <message>
-        <source>Width of the target</source>
-        <translation>Målets bredd</translation>
-    </message>
-    <message>
-        <source>First cut time</source>
-        <translation>Första klipptid</translation>
-    </message>
-    <message>
-        <source>Last cut time</source>
-        <translation>Sista klipptid</translation>
-    </message>
-    <message>
-        <source>Cut between</source>
-        <translation>Klipp mellan</translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation>och</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Vikt</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>med</translation>
-    </message>
-    <message>
-        <source>Target at</source>
-        <translation>Mål vid</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Bredd</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportera</translation>
-    </message>
-    <message>
-        <source>Chart…</source>
-        <translation>Diagram…</translation>
-    </message>
-    <message>
-        <source>Export chart</source>
-        <translation>Exportera diagram</translation>
-    </message>
-    <message>
-        <source>Table…</source>
-        <translation>Tabell…</translation>
-    </message>
-    <message>
-        <source>Export table</source>
-        <translation>Exportera tabell</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabell (*.csv)</translation>
-    </message>
-    <message>
-        <source>Copy chart</source>
-        <translation>Kopiera diagram</translation>
-    </message>
-    <message>
-        <source>Copy chart data</source>
-        <translation>Kopiera diagramdata</translation>
-    </message>
-    <message>
-        <source>Finds where the weight first comes to the floor for every moment of the cut, and the moments that hit the target.</source>
-        <translation>Söker var vikten först kommer till golvet för varje klipptid, och de tidpunkter som träffar målet.</translation>
-    </message>
-    <message>
-        <source>must be later than the first</source>
-        <translation>måste vara senare än den första</translation>
-    </message>
-    <message>
         <source>change of the cut</source>
         <translation>ändring av klippet</translation>
     </message>
     <message>
         <source>All ropes are cut at %1 s now. Play to see where weight %2 lands.</source>
         <translation>Alla rep klipps nu vid %1 s. Spela upp för att se var vikt %2 landar.</translation>
-    </message>
-    <message>
-        <source>when-to-cut</source>
-        <translation>klipptider</translation>
-    </message>
-    <message>
-        <source>Where the middle of the target lies, x in m from the left wall</source>
-        <translation>Var målets mitt ligger, x i m från vänstra väggen</translation>
-    </message>
-    <message>
-        <source>How wide the target is, in m</source>
-        <translation>Hur brett målet är, i m</translation>
-    </message>
-    <message>
-        <source>The earliest moment to cut, in s</source>
-        <translation>Den tidigaste tidpunkten att klippa, i s</translation>
-    </message>
-    <message>
-        <source>The latest moment to cut, in s</source>
-        <translation>Den senaste tidpunkten att klippa, i s</translation>
-    </message>
-    <message>
-        <source>Save the chart as a picture or its figures as a table</source>
-        <translation>Spara diagrammet som bild eller dess siffror som tabell</translation>
     </message>
 </context>
 <context>
@@ -2427,6 +2430,37 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>Kinds of events that are listed</source>
         <translation>Slag av händelser som listas</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportButton</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportera</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture or its figures as a table</source>
+        <translation>Spara diagrammet som bild eller dess siffror som tabell</translation>
+    </message>
+    <message>
+        <source>Chart…</source>
+        <translation>Diagram…</translation>
+    </message>
+    <message>
+        <source>Export chart</source>
+        <translation>Exportera diagram</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabell…</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Exportera tabell</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabell (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -3488,6 +3522,33 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     </message>
 </context>
 <context>
+    <name>ui::ProblemLine</name>
+    <message>
+        <source>must be at least %1, got %2</source>
+        <translation>måste vara minst %1, är %2</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, got %3</source>
+        <translation>måste vara från %1 till %2, är %3</translation>
+    </message>
+    <message>
+        <source>must be inside the room, got %1</source>
+        <translation>måste ligga i rummet, är %1</translation>
+    </message>
+    <message>
+        <source>must put the whole weight, of radius %1 m, inside the room, got %2</source>
+        <translation>måste hålla hela vikten, med radien %1 m, i rummet, är %2</translation>
+    </message>
+    <message>
+        <source>must not overlap %1 at the start</source>
+        <translation>får inte överlappa %1 vid starten</translation>
+    </message>
+    <message>
+        <source>must be at most %1, got %2</source>
+        <translation>får vara högst %1, är %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::ProblemWords</name>
     <message>
         <source>Gravity</source>
@@ -3565,20 +3626,36 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
         <source>Weights %1 and %2 overlap at the start.</source>
         <translation>Vikterna %1 och %2 överlappar vid starten.</translation>
     </message>
-    <message>
-        <source>There are more than %1.</source>
-        <translation>Det finns fler än %1.</translation>
-    </message>
-    <message>
-        <source>There is no method named %1.</source>
-        <translation>Det finns ingen metod som heter %1.</translation>
-    </message>
     <message numerus="yes">
         <source>(and %n more problem(s))</source>
         <translation>
             <numerusform>(och %n problem till)</numerusform>
             <numerusform>(och %n problem till)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The angular velocity</source>
+        <translation>Vinkelhastigheten</translation>
+    </message>
+    <message>
+        <source>The velocity x</source>
+        <translation>Hastigheten x</translation>
+    </message>
+    <message>
+        <source>The velocity y</source>
+        <translation>Hastigheten y</translation>
+    </message>
+    <message>
+        <source>The tolerance</source>
+        <translation>Toleransen</translation>
+    </message>
+    <message>
+        <source>There are more than %1 runs.</source>
+        <translation>Det finns fler än %1 körningar.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 weights.</source>
+        <translation>Det finns fler än %1 vikter.</translation>
     </message>
 </context>
 <context>
@@ -4040,6 +4117,10 @@ och kostnad (ns beräkning per simulerad sekund): för ett fel på högst 1e-6 m
     <message>
         <source>must be like &quot;#e69f00&quot;, got %1</source>
         <translation>måste vara som ”#e69f00”, är %1</translation>
+    </message>
+    <message>
+        <source>there is no method named %1</source>
+        <translation>det finns ingen metod som heter %1</translation>
     </message>
 </context>
 <context>
@@ -4925,6 +5006,26 @@ i m</translation>
         <source>Velocity v at the start: x to the right, y up, in m/s</source>
         <translation>Hastighet v vid starten: x åt höger, y uppåt, i m/s</translation>
     </message>
+    <message>
+        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
+        <translation>Massan m, i kg. Utan luft spelar den ingen roll för en svängning; med luft bromsas en tyngre vikt mindre.</translation>
+    </message>
+    <message>
+        <source>Radius r, in m. Air meets the area A = π r².</source>
+        <translation>Radien r, i m. Luften möter arean A = π r².</translation>
+    </message>
+    <message>
+        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
+        <translation>Motståndskoefficient c_d, utan enhet: hur mycket formen hejdas av luft. 0,47 för ett klot.</translation>
+    </message>
+    <message>
+        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
+        <translation>Repets längd L, i m: från upphängningen till viktens mitt. En liten svängning tar T = 2π √(L/g).</translation>
+    </message>
+    <message>
+        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
+        <translation>Repets vinkel θ vid starten, i grader från rakt ned, positiv åt höger.</translation>
+    </message>
 </context>
 <context>
     <name>ui::WeightDrag</name>
@@ -5056,26 +5157,6 @@ i m</translation>
     <message>
         <source>All weights in a table…</source>
         <translation>Alla vikter i en tabell…</translation>
-    </message>
-    <message>
-        <source>Length of the rope L, in m: from its pivot to the center of the weight. A small swing takes T = 2π √(L/g).</source>
-        <translation>Repets längd L, i m: från upphängningen till viktens mitt. En liten svängning tar T = 2π √(L/g).</translation>
-    </message>
-    <message>
-        <source>Angle θ of the rope at the start, in degrees from straight down, positive to the right.</source>
-        <translation>Repets vinkel θ vid starten, i grader från rakt ned, positiv åt höger.</translation>
-    </message>
-    <message>
-        <source>Mass m, in kg. It does not matter for a swing without air; with air a heavier weight is slowed down less.</source>
-        <translation>Massan m, i kg. Utan luft spelar den ingen roll för en svängning; med luft bromsas en tyngre vikt mindre.</translation>
-    </message>
-    <message>
-        <source>Radius r, in m. Air meets the area A = π r².</source>
-        <translation>Radien r, i m. Luften möter arean A = π r².</translation>
-    </message>
-    <message>
-        <source>Drag coefficient c_d, without unit: how well the shape is held up by air. 0.47 for a sphere.</source>
-        <translation>Motståndskoefficient c_d, utan enhet: hur mycket formen hejdas av luft. 0,47 för ett klot.</translation>
     </message>
     <message>
         <source>Change many weights at once, and copy them from and to spreadsheets</source>

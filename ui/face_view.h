@@ -6,6 +6,7 @@
 #include <QByteArray>
 
 #include "ui/control/commands.h"
+#include "ui/help/help_window.h"
 #include "ui/panels/charts_panel.h"
 
 namespace ui {
@@ -18,6 +19,7 @@ struct FaceView {
   std::optional<QByteArray> trade;  ///< place of the window for speed and accuracy, if it is open
   std::optional<QByteArray>
       whenToCut;  ///< place of the window for the moment to cut, if it is open
+  std::optional<HelpWindow::Place> help;  ///< if it is open
 };
 
 }  // namespace ui

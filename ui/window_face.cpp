@@ -213,7 +213,8 @@ void WindowFace::connectFiles() {
   on(Command::kMeasure, this, &WindowFace::showTrade);
   on(Command::kKeys, this, [this] { showKeys(*m_commands, this); });
   on(Command::kAbout, this, [this] { showAbout(this); });
-  new HelpDesk(*m_commands, m_bench->editor(), m_window, this);
+  m_help = new HelpDesk(*m_commands, m_bench->editor(), m_window, this);
+  connect(m_help, &HelpDesk::done, this, &WindowFace::say);
   new RecentFiles(files, m_menu->recentFiles());
   connect(m_menu, &MainMenu::builtInChosen, files, &SceneFiles::openBuiltIn);
   connect(m_menu, &MainMenu::ledgerChosen, m_exports, &Exports::askAndSaveLedger);
@@ -284,7 +285,7 @@ void WindowFace::connectTarget() {
 }
 
 FaceView WindowFace::view() const {
-  FaceView view{m_window->saveState(), {}, charts()->view(), {}, {}};
+  FaceView view{m_window->saveState(), {}, charts()->view(), {}, {}, m_help->place()};
   for (const auto& [command, action] : m_commands->byCommand())
     if (action->isCheckable()) view.switches[command] = action->isChecked();
   if (m_trade && m_trade->isVisible()) view.trade = m_trade->saveGeometry();
@@ -308,6 +309,7 @@ void WindowFace::setView(const FaceView& view) {
     showWhenToCut();
     m_whenToCut->restoreGeometry(*view.whenToCut);
   }
+  if (view.help) m_help->open(*view.help);
 }
 
 void WindowFace::say(const QString& words) {

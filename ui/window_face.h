@@ -13,6 +13,7 @@ class ChartsPanel;
 class Commands;
 class CutWindow;
 class Exports;
+class HelpDesk;
 class LessonGuide;
 class MainMenu;
 class MessageBar;
@@ -97,6 +98,7 @@ class WindowFace : public QWidget {
   QWidget* m_tools;
   SceneCommands* m_hand = nullptr;
   TargetControl* m_target = nullptr;
+  HelpDesk* m_help = nullptr;
   PlaybackBar* m_playback;
   std::unique_ptr<WindowPanels> m_panels;
   LessonGuide* m_lessons = nullptr;

@@ -17,10 +17,6 @@ std::string entry(std::string_view list, std::size_t index) {
   return std::string(list) + '[' + std::to_string(index) + ']';
 }
 
-std::string pairText(const Eigen::Vector2d& pair) {
-  return '[' + numberText(pair.x()) + ", " + numberText(pair.y()) + ']';
-}
-
 /// One pass over a scene that notes what is wrong, in the order of a scene file.
 class Inspection {
  public:
@@ -36,18 +32,19 @@ class Inspection {
  private:
   bool check(std::string place, double value, const Range& allowed) {
     if (allowed.contains(value)) return true;
-    m_problems.push_back({std::move(place), Problem::Kind::kOutOfRange, value, allowed, -1, {}});
+    m_problems.push_back({.place = std::move(place),
+                          .kind = Problem::Kind::kOutOfRange,
+                          .value = value,
+                          .allowed = allowed});
     return false;
   }
 
   void checkCount(std::string place, std::size_t count, int most) {
     if (count <= static_cast<std::size_t>(most)) return;
-    m_problems.push_back({std::move(place),
-                          Problem::Kind::kTooMany,
-                          static_cast<double>(count),
-                          Range{0, static_cast<double>(most), ""},
-                          -1,
-                          {}});
+    m_problems.push_back({.place = std::move(place),
+                          .kind = Problem::Kind::kTooMany,
+                          .value = static_cast<double>(count),
+                          .allowed = {0, static_cast<double>(most), ""}});
   }
 
   /// @param radius  of the disc around `point`; 0 for a bare point
@@ -57,8 +54,10 @@ class Inspection {
     const Range across{margin, m_scene.room.width - margin, "m"};
     const Range upwards{margin, m_scene.room.height - margin, "m"};
     if (across.contains(point.x()) && upwards.contains(point.y())) return true;
-    m_problems.push_back({std::move(place), Problem::Kind::kOutsideRoom, radius, Range{0, 0, ""},
-                          -1, pairText(point)});
+    m_problems.push_back({.place = std::move(place),
+                          .kind = Problem::Kind::kOutsideRoom,
+                          .value = radius,
+                          .at = point});
     return false;
   }
 
@@ -85,7 +84,7 @@ class Inspection {
       checkWeight(place, weights[i]);
       if (overlap != overlaps.end() && static_cast<std::size_t>(overlap->disc) == i) {
         m_problems.push_back(
-            {place, Problem::Kind::kOverlap, 0, Range{0, 0, ""}, overlap->other, {}});
+            {.place = place, .kind = Problem::Kind::kOverlap, .other = overlap->other});
         ++overlap;
       }
     }
@@ -140,47 +139,10 @@ std::string withShortExponent(std::string text) {
   return text;
 }
 
-std::string withUnit(double value, std::string_view unit) {
-  std::string text = numberText(value);
-  if (!unit.empty()) text.append(" ").append(unit);
-  return text;
-}
-
-std::string demandOf(const Range& allowed) {
-  if (allowed.highest == std::numeric_limits<double>::max()) {
-    return "at least " + withUnit(allowed.lowest, allowed.unit);
-  }
-  return "from " + numberText(allowed.lowest) + " to " + withUnit(allowed.highest, allowed.unit);
-}
-
-std::string faultOf(const Problem& problem) {
-  switch (problem.kind) {
-    case Problem::Kind::kOutOfRange:
-      return "must be " + demandOf(problem.allowed) + ", got " + numberText(problem.value);
-    case Problem::Kind::kOutsideRoom:
-      if (problem.value == 0) return "must be inside the room, got " + problem.text;
-      return "must put the whole weight, of radius " + withUnit(problem.value, "m") +
-             ", inside the room, got " + problem.text;
-    case Problem::Kind::kOverlap:
-      return "must not overlap " + entry("weights", static_cast<std::size_t>(problem.other)) +
-             " at the start";
-    case Problem::Kind::kTooMany:
-      return "must be at most " + numberText(problem.allowed.highest) + ", got " +
-             numberText(problem.value);
-    case Problem::Kind::kUnknownMethod:
-      return "there is no method named " + problem.text;
-  }
-  return {};
-}
-
 }  // namespace
 
 std::vector<Problem> problemsIn(const Scene& scene) {
   return Inspection(scene).problems();
-}
-
-std::string messageFor(const Problem& problem) {
-  return problem.place + ": " + faultOf(problem);
 }
 
 std::string numberText(double value) {

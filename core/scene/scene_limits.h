@@ -38,14 +38,13 @@ inline constexpr Range kToleranceRange{1e-14, 1, ""};
 inline constexpr int kMostWeights = 100000;
 inline constexpr int kMostSolvers = 4;
 
-/// One thing the user must correct.
+/// One thing the user must correct. ui/ says it in words.
 struct Problem {
   enum class Kind {
-    kOutOfRange,    ///< `value` is not in `allowed`
-    kOutsideRoom,   ///< a pivot (`value` 0) or a disc of radius `value` at `text` is not inside
-    kOverlap,       ///< the weight overlaps the one with index `other`
-    kTooMany,       ///< `value` entries where at most `allowed.highest` may stand
-    kUnknownMethod  ///< `text` is no method's id
+    kOutOfRange,   ///< `value` is not in `allowed`
+    kOutsideRoom,  ///< a pivot (`value` 0) or a disc of radius `value` [m] reaches out, at `at`
+    kOverlap,      ///< the weight overlaps the one with index `other`
+    kTooMany       ///< `value` entries where at most `allowed.highest` may stand
   };
 
   std::string place;  ///< key as in scene files: "weights[3].rope.length"; of two numbers in
@@ -54,8 +53,8 @@ struct Problem {
   Kind kind;
   double value = 0;  ///< as the user wrote it: degrees for angles
   Range allowed{0, 0, ""};
-  int other = -1;  ///< index of the other weight, or -1
-  std::string text;
+  int other = -1;               ///< index of the other weight, or -1
+  Eigen::Vector2d at = {0, 0};  ///< where the point or the disc's center is [m]
 };
 
 /// Every problem in `scene`, in the order of the keys in a scene file; empty if it can run.
@@ -66,9 +65,6 @@ struct Problem {
 /// is outside. Where a weight starts is looked at when all that decides it is in range.
 /// Takes O(N log N) for N weights, and lists at most one overlap per weight.
 std::vector<Problem> problemsIn(const Scene& scene);
-
-/// One line in English: "weights[3].rope.length: must be from 0.001 to 10000 m, got -1".
-std::string messageFor(const Problem& problem);
 
 /// A number as a person would write it: shortest digits that read back, without exponent
 /// between 10⁻⁴ and 10⁷, '.' as decimal point.

@@ -22,6 +22,8 @@ class CommandLineTest : public QObject {
   void refusesCalls();
   void refusesScenesWithTheirPlace();
   void speaksTheLanguageOfTheEnvironment();
+  void saysWhatIsNotAllowedInTheReadersLanguage_data();
+  void saysWhatIsNotAllowedInTheReadersLanguage();
   void showsWhatItCanWithoutADisplay();
 
  private:
@@ -146,6 +148,57 @@ void CommandLineTest::speaksTheLanguageOfTheEnvironment() {
   QVERIFY2(icelandic.error.contains("must be from"), icelandic.error);
   const Outcome french = m_program.call({"simulate", file}, {{"LC_ALL", "fr_FR.UTF-8"}});
   QVERIFY2(french.error.contains("-0.5"), french.error);
+}
+
+void CommandLineTest::saysWhatIsNotAllowedInTheReadersLanguage_data() {
+  QTest::addColumn<QString>("environment");
+  QTest::addColumn<QByteArray>("option");
+  QTest::addColumn<QByteArray>("scene");
+  QTest::addColumn<QByteArray>("unknown");
+  QTest::newRow("English") << "C.UTF-8" << QByteArray("--step: must be from 1e-7 to 10 s, got 20")
+                           << QByteArray(
+                                  "weights[0].rope.length: must be from 0.001 to 10000 m, "
+                                  "got -1")
+                           << QByteArray("Unknown option 'frob'.");
+  QTest::newRow("Swedish") << "sv_SE.UTF-8"
+                           << QByteArray("--step: måste vara från 1e-7 till 10 s, är 20")
+                           << QByteArray(
+                                  "weights[0].rope.length: måste vara från 0.001 till "
+                                  "10000 m, är -1")
+                           << QByteArray("Okänt alternativ ”frob”.");
+  QTest::newRow("German") << "de_DE.UTF-8"
+                          << QByteArray("--step: muss von 1e-7 bis 10 s sein, ist aber 20")
+                          << QByteArray(
+                                 "weights[0].rope.length: muss von 0.001 bis 10000 m sein, "
+                                 "ist aber -1")
+                          << QByteArray("Unbekannte Option „frob“.");
+  QTest::newRow("French") << "fr_FR.UTF-8"
+                          << QByteArray("--step: attendu\u00a0: de 1e-7 à 10 s\u00a0; lu\u00a0: 20")
+                          << QByteArray(
+                                 "weights[0].rope.length: attendu\u00a0: de 0.001 à 10000 m\u00a0; "
+                                 "lu\u00a0: -1")
+                          << QByteArray("Option inconnue «\u00a0frob\u00a0».");
+  QTest::newRow("Spanish") << "es_ES.UTF-8"
+                           << QByteArray("--step: se esperaba de 1e-7 a 10 s, no 20")
+                           << QByteArray(
+                                  "weights[0].rope.length: se esperaba de 0.001 a 10000 m, "
+                                  "no -1")
+                           << QByteArray("Opción desconocida «frob».");
+}
+
+void CommandLineTest::saysWhatIsNotAllowedInTheReadersLanguage() {
+  QFETCH(QString, environment);
+  QFETCH(QByteArray, option);
+  QFETCH(QByteArray, scene);
+  QFETCH(QByteArray, unknown);
+  const auto said = [&](const QStringList& call) {
+    return m_program.call(call, {{"LC_ALL", environment}}).error;
+  };
+  QCOMPARE(said({"simulate", "one-pendulum", "--step", "20"}), "angrycuts: " + option + '\n');
+  const QString file = m_program.write("short.json", R"({"format": "angry-cuts/scene", "version": 1,
+      "weights": [{"rope": {"pivot": [1, 1], "length": -1}}]})");
+  QCOMPARE(said({"simulate", file}), "angrycuts: " + file.toUtf8() + ": " + scene + '\n');
+  QCOMPARE(said({"--frob"}), "angrycuts: " + unknown + '\n');
 }
 
 void CommandLineTest::showsWhatItCanWithoutADisplay() {

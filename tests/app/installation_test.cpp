@@ -2,6 +2,7 @@
 #include <QImage>
 #include <QMimeDatabase>
 #include <QStandardPaths>
+#include <QXmlStreamReader>
 #include <QtTest>
 
 #include "tests/support/outcome.h"
@@ -52,6 +53,27 @@ QStringList expectedFiles() {
   return files;
 }
 
+/// Languages the window speaks, by their codes, English apart.
+QStringList translatedLanguages() {
+  QStringList codes;
+  for (const QString& file : QDir(ANGRYCUTS_TRANSLATIONS).entryList({"*.ts"}))
+    codes << file.section('_', 1).section('.', 0, 0);
+  codes.removeOne("en");
+  return codes;
+}
+
+/// The texts of all elements of that name, by their languages; English ones have none.
+QMap<QString, QStringList> textsIn(const QByteArray& xml, const QString& element) {
+  QMap<QString, QStringList> texts;
+  QXmlStreamReader reader(xml);
+  while (!reader.atEnd()) {
+    if (reader.readNext() != QXmlStreamReader::StartElement || reader.name() != element) continue;
+    const QString language = reader.attributes().value("xml:lang").toString();
+    texts[language] << reader.readElementText().simplified();
+  }
+  return texts;
+}
+
 bool isInstalled(const char* tool) {
   return !QStandardPaths::findExecutable(tool).isEmpty();
 }
@@ -72,6 +94,9 @@ class InstallationTest : public QObject {
 
   void menuEntryIsValid();
   void metainfoIsValid();
+  void menuEntrySpeaksEveryLanguage();
+  void metainfoAndKindOfFileSpeakEveryLanguage_data();
+  void metainfoAndKindOfFileSpeakEveryLanguage();
   void manualIsValid();
   void manualNamesWhatHelpNames();
   void recognizesScenes_data();
@@ -154,6 +179,46 @@ void InstallationTest::metainfoIsValid() {
                                  path("share/metainfo/org.angrycuts.angrycuts.metainfo.xml")});
   QVERIFY2(verdict.status == 0, verdict.output);
   QVERIFY2(verdict.output.endsWith("Validation was successful.\n"), verdict.output);
+}
+
+void InstallationTest::menuEntrySpeaksEveryLanguage() {
+  const QString entry = content("share/applications/angrycuts.desktop");
+  const auto valueOf = [&entry](const QString& key) {
+    return entry.section('\n' + key + '=', 1, 1).section('\n', 0, 0);
+  };
+  QVERIFY(translatedLanguages().size() >= 4);
+  for (const QString key : {"GenericName", "Comment", "Keywords"}) {
+    QVERIFY(!valueOf(key).isEmpty());
+    for (const QString& language : translatedLanguages()) {
+      const QString name = QStringLiteral("%1[%2]").arg(key, language);
+      QVERIFY2(!valueOf(name).isEmpty() && valueOf(name) != valueOf(key), qPrintable(name));
+    }
+  }
+}
+
+void InstallationTest::metainfoAndKindOfFileSpeakEveryLanguage_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<QString>("element");
+  const QString metainfo = "share/metainfo/org.angrycuts.angrycuts.metainfo.xml";
+  QTest::newRow("summary") << metainfo << "summary";
+  QTest::newRow("paragraphs") << metainfo << "p";
+  QTest::newRow("items") << metainfo << "li";
+  QTest::newRow("kind of file") << "share/mime/packages/angrycuts.xml"
+                                << "comment";
+}
+
+void InstallationTest::metainfoAndKindOfFileSpeakEveryLanguage() {
+  QFETCH(QString, file);
+  QFETCH(QString, element);
+  const QMap<QString, QStringList> texts = textsIn(content(file), element);
+  const QStringList english = texts.value({});
+  QVERIFY(!english.isEmpty());
+  for (const QString& language : translatedLanguages()) {
+    const QStringList translated = texts.value(language);
+    QVERIFY2(translated.size() == english.size(), qPrintable(language));
+    for (const QString& text : translated)
+      QVERIFY2(!text.isEmpty() && !english.contains(text), qPrintable(language + ": " + text));
+  }
 }
 
 void InstallationTest::manualIsValid() {

@@ -10,17 +10,24 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHash>
 #include <QHeaderView>
 #include <QImage>
+#include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTableView>
 #include <QTest>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextEdit>
 #include <QToolButton>
 #include <QWidget>
 
+#include "tests/support/contrast.h"
 #include "tests/support/hidden_panel.h"
 
 namespace tests {
@@ -50,6 +57,11 @@ bool isDrawing(const QWidget* widget) {
       "ui::StepPlot",    "ui::CutSweepChart", "ui::WorkPrecisionPlot", "ui::StabilityPlot"};
   return widget->inherits("QChartView") ||
          kDrawings.contains(QString::fromLatin1(widget->metaObject()->className()));
+}
+
+/// Over drawings and texts a tip would hide what it explains.
+bool isLookedAt(const QWidget* widget) {
+  return isDrawing(widget) || qobject_cast<const QTextEdit*>(widget);
 }
 
 bool isControl(const QWidget* widget) {
@@ -100,7 +112,7 @@ bool takesTab(const QWidget* widget) {
 QList<QWidget*> controlsIn(const QWidget& window) {
   QList<QWidget*> controls;
   for (QWidget* widget : window.findChildren<QWidget*>())
-    if (widget->window() == &window && widget->isVisible() && !isBehindATab(widget) &&
+    if (widget->window() == window.window() && widget->isVisible() && !isBehindATab(widget) &&
         isControl(widget) && !isPartOfAnother(widget))
       controls << widget;
   return controls;
@@ -122,9 +134,8 @@ QStringList namelessIn(const QWidget& window) {
                                     ? widget->accessibleDescription()
                                     : face->text(QAccessible::Description);
     if (description.isEmpty() && !isPlainButton) nameless << described(widget) + ": no description";
-    // Over drawings a tip would hide what it explains.
     const bool hasTip =
-        !widget->toolTip().isEmpty() || qobject_cast<QTabBar*>(widget) || isDrawing(widget);
+        !widget->toolTip().isEmpty() || qobject_cast<QTabBar*>(widget) || isLookedAt(widget);
     if (!hasTip && !isPlainButton) nameless << described(widget) + ": no tip";
   }
   return nameless;
@@ -213,6 +224,66 @@ QStringList focusNotSeenIn(QWidget& window) {
     if (with == without) unseen << described(widget);
   }
   return unseen;
+}
+
+namespace {
+
+constexpr double kLeastContrast = 4.5;  // of texts, in the Guidelines' level AA
+
+bool showsWords(const QWidget* widget) {
+  const auto* label = qobject_cast<const QLabel*>(widget);
+  const auto* button = qobject_cast<const QAbstractButton*>(widget);
+  const auto* list = qobject_cast<const QListWidget*>(widget);
+  const auto* tabs = qobject_cast<const QTabBar*>(widget);
+  return (label && !label->text().isEmpty()) || (button && !button->text().isEmpty()) ||
+         (list && list->count() > 0) || (tabs && tabs->count() > 0);
+}
+
+/// The strongest contrast that a picture has with most of it.
+double strongestContrast(const QImage& image) {
+  QHash<QRgb, int> counts;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) ++counts[image.pixel(x, y)];
+  QRgb ground = 0;
+  for (auto color = counts.begin(); color != counts.end(); ++color)
+    if (color.value() > counts.value(ground)) ground = color.key();
+  double strongest = 1;
+  for (auto color = counts.begin(); color != counts.end(); ++color)
+    strongest = std::max(strongest, contrast(color.key(), ground));
+  return strongest;
+}
+
+/// The weakest that a letter of the page has with its ground.
+double weakestContrast(const QTextEdit& page) {
+  const QColor ground = page.palette().color(QPalette::Base);
+  double weakest = contrast(page.palette().color(QPalette::Text), ground);
+  for (QTextBlock block = page.document()->begin(); block.isValid(); block = block.next()) {
+    for (auto part = block.begin(); part != block.end(); ++part) {
+      const QTextCharFormat format = part.fragment().charFormat();
+      if (format.hasProperty(QTextFormat::ForegroundBrush))
+        weakest = std::min(weakest, contrast(format.foreground().color(), ground));
+    }
+  }
+  return weakest;
+}
+
+}  // namespace
+
+QStringList paleTextsIn(const QWidget& window) {
+  QStringList pale;
+  const auto note = [&pale](const QWidget* widget, double contrast) {
+    if (contrast < kLeastContrast)
+      pale << QStringLiteral("%1: contrast %2").arg(described(widget)).arg(contrast, 0, 'f', 2);
+  };
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    const bool isSeen = widget->window() == window.window() && widget->isVisible() &&
+                        widget->isEnabled() && !isBehindATab(widget);
+    if (!isSeen || widget->visibleRegion().isEmpty()) continue;
+    if (const auto* page = qobject_cast<const QTextEdit*>(widget))
+      note(page, weakestContrast(*page));
+    if (showsWords(widget)) note(widget, strongestContrast(widget->grab().toImage()));
+  }
+  return pale;
 }
 
 }  // namespace tests

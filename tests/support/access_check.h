@@ -7,6 +7,8 @@ class QWidget;
 
 namespace tests {
 
+// A window, or a part of one that keeps the keyboard to itself.
+
 /// Widgets of a window, visible and not hidden behind another panel, that are there to be used or
 /// to be read off: buttons, fields, choosers, sliders, tabs, tables, charts, the scene.
 QList<QWidget*> controlsIn(const QWidget& window);
@@ -29,5 +31,8 @@ QStringList backwardStepsOfTab(QWidget& window);
 
 /// Widgets on the way of Tab that look the same with and without the keyboard.
 QStringList focusNotSeenIn(QWidget& window);
+
+/// Labels, buttons, tabs, lists and pages whose words are hard to tell from their ground.
+QStringList paleTextsIn(const QWidget& window);
 
 }  // namespace tests

@@ -1,19 +1,25 @@
 #include "tests/support/text_fit.h"
 
+#include <algorithm>
+
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QScreen>
+#include <QScrollBar>
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QStyleOptionTab>
 #include <QTabBar>
+#include <QTextBlock>
 #include <QTextDocument>
+#include <QTextEdit>
 #include <QToolButton>
 #include <QWidget>
 
@@ -44,6 +50,8 @@ class FitCheck {
     if (const auto* header = qobject_cast<const QHeaderView*>(&widget)) lookAt(*header);
     if (const auto* bar = qobject_cast<const QMenuBar*>(&widget)) lookAt(*bar);
     if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) lookAt(*line);
+    if (const auto* list = qobject_cast<const QListWidget*>(&widget)) lookAt(*list);
+    if (const auto* page = qobject_cast<const QTextEdit*>(&widget)) lookAt(*page);
   }
 
   void lookAt(const QLabel& label) {
@@ -135,6 +143,26 @@ class FitCheck {
     // What is typed may be longer; words of the program may not.
     if (text.contains(QRegularExpression(QStringLiteral("[0-9]")))) return;
     note(line, text, line.fontMetrics().horizontalAdvance(text) - line.contentsRect().width());
+  }
+
+  void lookAt(const QListWidget& list) {
+    // Pictures wrap what stands below them.
+    if (list.viewMode() == QListView::IconMode) return;
+    for (int row = 0; row < list.count(); ++row) {
+      const QModelIndex index = list.model()->index(row, 0);
+      // One that says all where it is pointed at may be shortened.
+      if (!list.item(row)->toolTip().isEmpty()) continue;
+      note(list, list.item(row)->text(),
+           list.sizeHintForIndex(index).width() + 2 * list.spacing() - list.viewport()->width());
+    }
+  }
+
+  /// A page is read from top to bottom, not from side to side.
+  void lookAt(const QTextEdit& page) {
+    const double needed = page.document()->size().width();  // lays out all of it
+    note(page, page.document()->firstBlock().text(),
+         std::max(static_cast<int>(needed) - page.viewport()->width(),
+                  page.horizontalScrollBar()->maximum()));
   }
 
   void note(const QWidget& widget, const QString& text, int missing) {

@@ -7,12 +7,17 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenuBar>
+#include <QPointer>
+#include <QPushButton>
 #include <QSettings>
-#include <QTabWidget>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextEdit>
 #include <QTimer>
+#include <QVBoxLayout>
 
 #include "tests/support/access_check.h"
 #include "tests/support/settle.h"
@@ -22,7 +27,10 @@
 #include "ui/control/scene_editor.h"
 #include "ui/control/selection.h"
 #include "ui/files/scene_file.h"
+#include "ui/help/tour.h"
 #include "ui/main_window.h"
+#include "ui/style/palette.h"
+#include "ui/style/theme.h"
 #include "ui/view/scene_area.h"
 #include "ui/view/scene_view.h"
 
@@ -37,6 +45,17 @@ QByteArray listed(QStringList lines) {
   return ('\n' + lines.join('\n')).toUtf8();
 }
 
+void addThemes() {
+  QTest::addColumn<bool>("dark");
+  QTest::newRow("light") << false;
+  QTest::newRow("dark") << true;
+}
+
+void useColors(bool dark) {
+  QApplication::setPalette(ui::paletteOf(dark ? ui::Theme::darkTheme() : ui::Theme::light()));
+  settle();
+}
+
 }  // namespace
 
 class AccessibilityWindowTest : public QObject {
@@ -45,13 +64,19 @@ class AccessibilityWindowTest : public QObject {
  private slots:
   void initTestCase();
   void init();
-  void cleanup() { m_window.reset(); }
+  void cleanup();
   void namesAndExplainsEverythingInTheWindow();
   void namesAndExplainsEverythingInOtherWindows();
   void namesAndExplainsEverythingInDialogs();
   void tellsScreenReadersWhatHappens();
   void comesEverywhereWithTab();
+  void showsWhereTheKeyboardIs_data() { addThemes(); }
   void showsWhereTheKeyboardIs();
+  void seesWhatIsPale();
+  void canBeReadInAnyColors_data() { addThemes(); }
+  void canBeReadInAnyColors();
+  void leadsThroughTheTour_data() { addThemes(); }
+  void leadsThroughTheTour();
 
  private:
   using Check = std::function<QStringList(QWidget&)>;
@@ -76,6 +101,11 @@ void AccessibilityWindowTest::init() {
   m_window->controller()->stepOnce();
 }
 
+void AccessibilityWindowTest::cleanup() {
+  m_window.reset();
+  useColors(false);
+}
+
 QStringList AccessibilityWindowTest::inAllPanels(const Check& check) const {
   QStringList found;
   for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
@@ -89,13 +119,14 @@ QStringList AccessibilityWindowTest::inAllPanels(const Check& check) const {
 
 QStringList AccessibilityWindowTest::inOtherWindows(const Check& check) const {
   QStringList found;
-  for (const Command command : {Command::kMeasure, Command::kWhenToCut, Command::kLessons}) {
+  for (const Command command :
+       {Command::kMeasure, Command::kWhenToCut, Command::kLessons, Command::kSheet}) {
     m_window->commands().action(command)->trigger();
     settle();
     QWidget* opened = QApplication::activeWindow();
     if (opened == m_window.get()) found << "no window opened";
     found << check(*opened);
-    for (QTabWidget* tabs : opened->findChildren<QTabWidget*>()) {
+    for (QTabBar* tabs : opened->findChildren<QTabBar*>()) {
       for (int i = 0; i < tabs->count(); ++i) {
         tabs->setCurrentIndex(i);
         settle();
@@ -167,9 +198,60 @@ void AccessibilityWindowTest::comesEverywhereWithTab() {
 }
 
 void AccessibilityWindowTest::showsWhereTheKeyboardIs() {
+  QFETCH(bool, dark);
+  useColors(dark);
   const QStringList unseen =
       inAllPanels(tests::focusNotSeenIn) + inOtherWindows(tests::focusNotSeenIn);
   QVERIFY2(unseen.isEmpty(), listed(unseen));
+}
+
+void AccessibilityWindowTest::seesWhatIsPale() {
+  QWidget window;
+  auto* layout = new QVBoxLayout(&window);
+  auto* label = new QLabel("Kinetic energy");
+  auto* page = new QTextEdit("A page");
+  layout->addWidget(label);
+  layout->addWidget(page);
+  window.show();
+  settle();
+  QCOMPARE(tests::paleTextsIn(window), QStringList());
+  QPalette pale = label->palette();
+  pale.setColor(QPalette::WindowText, QColor(0xa0, 0xa0, 0xa0));
+  label->setPalette(pale);
+  page->setHtml("A <span style='color: #a0a0a0'>page</span>");
+  QCOMPARE(tests::paleTextsIn(window).size(), 2);
+}
+
+void AccessibilityWindowTest::canBeReadInAnyColors() {
+  QFETCH(bool, dark);
+  useColors(dark);
+  const QStringList pale = inAllPanels(tests::paleTextsIn) + inOtherWindows(tests::paleTextsIn);
+  QVERIFY2(pale.isEmpty(), listed(pale));
+}
+
+void AccessibilityWindowTest::leadsThroughTheTour() {
+  QFETCH(bool, dark);
+  useColors(dark);
+  m_window->commands().action(Command::kTour)->trigger();
+  settle();
+  const QPointer<ui::Tour> tour = m_window->findChild<ui::Tour*>();
+  QStringList faults;
+  for (int hint = 0; hint < 5; ++hint) {
+    QCOMPARE(tour->hint(), hint);
+    const QAccessibleInterface* bubble = QAccessible::queryAccessibleInterface(tour->bubble());
+    QVERIFY(!bubble->text(QAccessible::Name).isEmpty());
+    QVERIFY(bubble->text(QAccessible::Description).size() > 20);
+    QCOMPARE(tests::controlsIn(*tour).size(), hint < 4 ? 3 : 2);
+    for (const auto& check :
+         {Check(tests::namelessIn), Check(tests::missedByTab), Check(tests::backwardStepsOfTab),
+          Check(tests::focusNotSeenIn), Check(tests::paleTextsIn)})
+      faults << check(*tour);
+    tour->findChildren<QPushButton*>().last()->setFocus();
+    QTest::keyClick(tour, Qt::Key_Return);
+    settle();
+  }
+  QVERIFY2(faults.isEmpty(), listed(faults));
+  QTRY_VERIFY(!tour);
 }
 
 QTEST_MAIN(AccessibilityWindowTest)

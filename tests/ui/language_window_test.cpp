@@ -8,21 +8,23 @@
 #include <QMenuBar>
 #include <QSettings>
 #include <QTabBar>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include "tests/support/fingerprint.h"
 #include "tests/support/settle.h"
 #include "ui/chart/chart_widget.h"
 #include "ui/control/commands.h"
 #include "ui/control/event_navigator.h"
-#include "ui/control/recovery.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_target.h"
 #include "ui/control/selection.h"
 #include "ui/control/settings.h"
 #include "ui/control/target_control.h"
+#include "ui/files/draft_file.h"
 #include "ui/files/scene_file.h"
 #include "ui/main_window.h"
 #include "ui/panels/charts_panel.h"
@@ -70,6 +72,21 @@ class UsedWindow : public MainWindow {
   ui::SceneArea* area() const { return findChild<ui::SceneArea*>(); }
 };
 
+/// What the line across the window says; empty where there is none.
+QString shownMessage(const MainWindow& window) {
+  QStringList messages;
+  for (const ui::MessageBar* bar : window.findChildren<ui::MessageBar*>())
+    if (bar->isVisible()) messages << bar->message();
+  return messages.join('\n');
+}
+
+QToolButton* buttonOf(const MainWindow& window, const QString& words) {
+  for (const ui::MessageBar* bar : window.findChildren<ui::MessageBar*>())
+    for (QToolButton* button : bar->findChildren<QToolButton*>())
+      if (button->isVisible() && button->text() == words) return button;
+  qFatal("no button %s", qPrintable(words));
+}
+
 QAction* actionOf(const QMenu* menu, const QString& words) {
   for (QAction* action : menu->actions()) {
     if (action->text().remove('&') == words) return action;
@@ -100,6 +117,7 @@ class LanguageWindowTest : public QObject {
   void offersWhatCanBeRecovered();
   void writesNumbersAsItsReadersDo();
   void staysInOnePieceWhenSwitchedOften();
+  void namesRunsWholeInTheComparison();
 
  private:
   QTemporaryDir m_settings;
@@ -204,16 +222,14 @@ void LanguageWindowTest::keepsADraftThatCannotRun() {
   UsedWindow window;
   window.editor()->change([](core::Scene& scene) { scene.gravity = -1; });
   QVERIFY(!window.editor()->problems().empty());
-  const auto shown = [&window] {
-    const auto bars = window.findChildren<ui::MessageBar*>();
-    return std::ranges::count_if(bars, [](const ui::MessageBar* bar) { return bar->isVisible(); });
-  };
   settle();
-  QCOMPARE(shown(), 1);
+  const QString english = shownMessage(window);
+  QVERIFY(english.contains("Gravity"));
   window.speak(Language::kGerman);
   settle();
   QVERIFY(!window.editor()->problems().empty());
-  QCOMPARE(shown(), 1);
+  const QString german = shownMessage(window);
+  QVERIFY2(german.contains("Die Fallbeschleunigung"), qPrintable(german));
 }
 
 void LanguageWindowTest::keepsTheLayout() {
@@ -291,19 +307,33 @@ void LanguageWindowTest::keepsTheView() {
 }
 
 void LanguageWindowTest::offersWhatCanBeRecovered() {
-  QTemporaryDir folder;
+  const QTemporaryDir folder;
   const QString left = folder.filePath("left.draft");
-  {
-    QFile file(left);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-  }
+  core::Scene scene = ui::builtInScene("one-pendulum");
+  scene.name = "Left behind";
+  scene.gravity = 3;
+  QCOMPARE(ui::writeDraftFile(left, {{}, scene, {}}), QString());
   UsedWindow window;
   window.keepDraftsIn(folder.path());
-  window.editor()->change([](core::Scene& scene) { scene.gravity = 3; });
+  settle();
+  const QString english = shownMessage(window);
+  QVERIFY2(english.contains("Left behind") && english.contains("ended before"),
+           qPrintable(english));
+
   window.speak(Language::kGerman);
-  // Still kept, and still only once.
-  QVERIFY(window.editor()->isModified());
-  QCOMPARE(window.findChildren<ui::Recovery*>().size(), 1);
+  settle();
+  const QString german = shownMessage(window);
+  QVERIFY2(german.contains("Left behind") && german.contains("Das Programm endete"),
+           qPrintable(german));
+  buttonOf(window, "Wiederherstellen")->click();
+  QCOMPARE(window.editor()->scene()->gravity, 3.0);
+  QCOMPARE(window.editor()->undoWords(), QString("Wiederherstellung von Änderungen"));
+  // Once only: neither in another language, nor at the next start.
+  QCOMPARE(shownMessage(window), QString());
+  QVERIFY(!QFile::exists(left));
+  window.speak(Language::kFrench);
+  settle();
+  QCOMPARE(shownMessage(window), QString());
 }
 
 void LanguageWindowTest::writesNumbersAsItsReadersDo() {
@@ -346,6 +376,24 @@ void LanguageWindowTest::staysInOnePieceWhenSwitchedOften() {
     QVERIFY2(after[kind] <= before.value(kind),
              qPrintable(
                  QString("%1: %2, before %3").arg(kind).arg(after[kind]).arg(before.value(kind))));
+  }
+}
+
+void LanguageWindowTest::namesRunsWholeInTheComparison() {
+  for (int language = 1; language < ui::kLanguageCount; ++language) {
+    ui::speak(static_cast<Language>(language));
+    UsedWindow window;
+    auto* dock = window.findChild<QDockWidget*>("comparison");
+    dock->raise();
+    settle();
+    const auto* table = dock->findChild<QTableWidget*>();
+    QVERIFY(table->isVisible() && table->rowCount() == 2);
+    const int needed = static_cast<const QAbstractItemView*>(table)->sizeHintForColumn(0);
+    QVERIFY2(table->columnWidth(0) >= needed, qPrintable(QStringLiteral("%1: %2 of %3, %4")
+                                                             .arg(table->item(1, 0)->text())
+                                                             .arg(table->columnWidth(0))
+                                                             .arg(needed)
+                                                             .arg(dock->width())));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
@@ -13,6 +14,8 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBlock>
+#include <QTextBrowser>
 #include <QTimer>
 
 #include "tests/support/offscreen_screen.h"
@@ -21,7 +24,10 @@
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/translations.h"
+#include "ui/files/lessons.h"
 #include "ui/files/scene_file.h"
+#include "ui/help/help_window.h"
+#include "ui/help/tour.h"
 #include "ui/main_window.h"
 #include "ui/panels/cut_window.h"
 #include "ui/panels/help_dialogs.h"
@@ -59,12 +65,17 @@ class TextFitTest : public QObject {
   void init();
   void cleanup();
   void seesWhatIsCutOff();
+  void seesWhatIsCutOffInListsAndPages();
   void fitsInThePanels_data() { addLanguages(); }
   void fitsInThePanels();
   void fitsInTheOtherWindows_data() { addLanguages(); }
   void fitsInTheOtherWindows();
   void fitsInTheDialogs_data() { addLanguages(); }
   void fitsInTheDialogs();
+  void fitsInTheHelp_data() { addLanguages(); }
+  void fitsInTheHelp();
+  void fitsInTheTour_data() { addLanguages(); }
+  void fitsInTheTour();
 
  private:
   std::unique_ptr<MainWindow> m_window;
@@ -98,6 +109,23 @@ void TextFitTest::seesWhatIsCutOff() {
   QCOMPARE(tests::cutTextsIn(window), QStringList());
   label->resize(label->width() - 5, label->height());
   button->resize(button->width() - 5, button->height());
+  QCOMPARE(tests::cutTextsIn(window).size(), 2);
+}
+
+void TextFitTest::seesWhatIsCutOffInListsAndPages() {
+  QWidget window;
+  auto* list = new QListWidget(&window);
+  list->addItem("Two kinds of Euler");
+  auto* page = new QTextBrowser(&window);
+  page->setHtml("<p>Title</p><pre>a line that does not wrap, as it is the text of a program</pre>");
+  list->resize(400, 100);
+  page->resize(800, 100);
+  window.show();
+  settle();
+  QCOMPARE(tests::cutTextsIn(window), QStringList());
+  list->resize(80, 100);
+  page->resize(200, 100);
+  settle();
   QCOMPARE(tests::cutTextsIn(window).size(), 2);
 }
 
@@ -167,6 +195,49 @@ void TextFitTest::fitsInTheDialogs() {
   look();
   ui::askChartSize(m_window.get(), {160, 100});
   QCOMPARE(seen, 3);
+  QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void TextFitTest::fitsInTheHelp() {
+  QFETCH(Language, language);
+  m_window->speak(language);
+  QStringList cut, seen;
+  for (const Command chapter : {Command::kGuide, Command::kModel, Command::kSheet}) {
+    m_window->commands().action(chapter)->trigger();
+    settle();
+    const auto* help = m_window->findChild<ui::HelpWindow*>();
+    QVERIFY(help->width() <= kScreen.width() && help->height() <= kScreen.height() - kTitleBar);
+    QVERIFY(help->contents()->count() > 3);
+    for (int row = 0; row < help->contents()->count(); ++row) {
+      help->contents()->setCurrentRow(row);
+      settle();
+      seen << help->page()->document()->firstBlock().text();
+      cut << tests::cutTextsIn(*help);
+    }
+  }
+  seen.removeDuplicates();
+  QCOMPARE(static_cast<std::size_t>(seen.size()), 2 + ui::lessons().size());
+  cut.removeDuplicates();
+  QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void TextFitTest::fitsInTheTour() {
+  QFETCH(Language, language);
+  m_window->speak(language);
+  m_window->commands().action(Command::kTour)->trigger();
+  settle();
+  auto* tour = m_window->findChild<ui::Tour*>();
+  QStringList cut;
+  for (int hint = 0; hint < tour->hintCount(); ++hint) {
+    QCOMPARE(tour->hint(), hint);
+    cut << tests::cutTextsIn(*tour);
+    const QRect bubble = tour->bubble()->geometry();
+    if (!tour->rect().contains(bubble)) cut << QStringLiteral("hint %1: off the window").arg(hint);
+    if (bubble.intersects(tour->pointedAt()))
+      cut << QStringLiteral("hint %1: over what it points at").arg(hint);
+    QTest::keyClick(tour, Qt::Key_Return);
+    settle();
+  }
   QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
 }
 

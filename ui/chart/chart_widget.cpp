@@ -1,7 +1,6 @@
 #include "ui/chart/chart_widget.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -19,10 +18,8 @@
 #include <QScreen>
 #include <QWheelEvent>
 
-#include "ui/chart/chart_readings.h"
+#include "ui/chart/chart_hand.h"
 #include "ui/chart/chart_table.h"
-#include "ui/chart/chart_zoom.h"
-#include "ui/chart/curves_item.h"
 
 namespace ui {
 
@@ -39,29 +36,6 @@ constexpr int kLeastWidth = 360;                       // px
 constexpr double kFocusWidth = 2;                      // px
 constexpr int kLeastHeight = 140, kUsualHeight = 180;  // px, on a small screen and others
 
-constexpr double kWheelFactor = 1.2;  // for each notch
-constexpr double kKeyFactor = 1.5;
-constexpr double kKeyMove = 0.1;      // of what is shown
-constexpr double kGrabDistance = 7;   // [px]
-constexpr double kClickDistance = 5;  // a drag is longer [px]
-constexpr double kReadDistance = 40;  // from a curve that is not over time [px]
-
-struct KeyMove {
-  int key;
-  double x;
-  double y;
-};
-
-constexpr std::array kKeyMoves = {
-    KeyMove{Qt::Key_Left, -kKeyMove, 0}, KeyMove{Qt::Key_Right, kKeyMove, 0},
-    KeyMove{Qt::Key_Down, 0, -kKeyMove}, KeyMove{Qt::Key_Up, 0, kKeyMove}};
-
-const KeyMove* moveOf(const QKeyEvent& event) {
-  if (!event.modifiers().testFlag(Qt::AltModifier)) return nullptr;
-  const auto* move = std::ranges::find(kKeyMoves, event.key(), &KeyMove::key);
-  return move == kKeyMoves.end() ? nullptr : move;
-}
-
 double milliseconds(const QElapsedTimer& timer) {
   return static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
@@ -73,12 +47,17 @@ ChartWidget::ChartWidget(QWidget* parent)
       m_scene(std::make_unique<QGraphicsScene>()),
       m_chart(new QChart),
       m_plot(new ChartPlot(m_chart)),
+      m_hand(new ChartHand(m_chart, m_plot, this)),
       m_theme(Theme::of(palette())) {
   m_scene->addItem(m_chart);
   m_plot->setLeastTime(kLeastTime);
   m_plot->setMostPoints(kMostPoints);
   m_catchUp.setSingleShot(true);
   connect(&m_catchUp, &QTimer::timeout, this, &ChartWidget::refresh);
+  connect(m_hand, &ChartHand::plotChanged, this, &ChartWidget::markChanged);
+  connect(m_hand, &ChartHand::overlayChanged, this, qOverload<>(&QWidget::update));
+  connect(m_hand, &ChartHand::cursorWanted, this, &ChartWidget::showCursor);
+  connect(m_hand, &ChartHand::timePicked, this, &ChartWidget::timePicked);
   const int share = screen()->size().height() / 4;
   setMinimumSize(kLeastWidth, std::clamp(share, kLeastHeight, kUsualHeight));
   setFocusPolicy(Qt::StrongFocus);
@@ -90,7 +69,7 @@ ChartWidget::~ChartWidget() = default;
 
 void ChartWidget::setSubject(const ChartKind& kind, ChartSubject subject) {
   m_plot->setSubject(kind, std::move(subject));
-  m_overlay.readTime.reset();
+  m_hand->stopReading();
   setAccessibleName(kind.tip());
   setAccessibleDescription(
       tr("A click goes to a moment. Wheel, plus and minus zoom, dragging a box does, too; Alt and "
@@ -124,9 +103,7 @@ void ChartWidget::markChanged() {
 }
 
 void ChartWidget::showTime(double time) {
-  if (m_overlay.shownTime == time) return;
-  m_overlay.shownTime = time;
-  update();
+  m_hand->showTime(time);
 }
 
 QRectF ChartWidget::plotArea() const {
@@ -143,16 +120,15 @@ void ChartWidget::setHidden(HiddenCurves hidden) {
 }
 
 void ChartWidget::zoomIn() {
-  zoomAt(plotArea().center(), kKeyFactor, kKeyFactor);
+  m_hand->zoomIn();
 }
 
 void ChartWidget::zoomOut() {
-  zoomAt(plotArea().center(), 1 / kKeyFactor, 1 / kKeyFactor);
+  m_hand->zoomOut();
 }
 
 void ChartWidget::resetZoom() {
-  m_plot->setZoom(std::nullopt);
-  markChanged();
+  m_hand->resetZoom();
 }
 
 void ChartWidget::copyPicture() const {
@@ -174,156 +150,30 @@ void ChartWidget::applyLook() {
   markChanged();
 }
 
-/// Shows just this range, or all where that is no more.
-void ChartWidget::zoomTo(const QRectF& range) {
-  if (!canBeShown(range)) return;
-  const bool isAll = range.contains(m_plot->wholeRange());
-  m_plot->setZoom(isAll ? std::nullopt : std::optional(range));
-  markChanged();
-}
-
-void ChartWidget::zoomAt(QPointF place, double factorX, double factorY) {
-  zoomTo(zoomedAbout(m_plot->range(), valuesAt(place), factorX, factorY));
-}
-
-QPointF ChartWidget::valuesAt(QPointF place) const {
-  return plotTransform(m_plot->range(), plotArea()).inverted().map(place);
-}
-
-/// The moment a place stands for: that of the time axis, or of the nearest point.
-std::optional<double> ChartWidget::timeAt(QPointF place) const {
-  const QPointF values = valuesAt(place);
-  if (m_plot->content().overTime) return std::max(0.0, values.x());
-  const QSizeF unit(plotArea().width() / m_plot->range().width(),
-                    plotArea().height() / m_plot->range().height());
-  return nearestTime(*m_plot, values, unit, kReadDistance);
-}
-
-bool ChartWidget::isOnTimeLine(QPointF place) const {
-  if (!m_overlay.shownTime || !m_plot->content().overTime) return false;
-  const QTransform toPlot = plotTransform(m_plot->range(), plotArea());
-  const double x = toPlot.map(QPointF(*m_overlay.shownTime, 0)).x();
-  const QRectF grip = plotArea().adjusted(0, -2 * kGrabDistance, 0, 0);
-  return std::abs(place.x() - x) <= kGrabDistance && grip.top() <= place.y() &&
-         place.y() <= grip.bottom();
-}
-
-void ChartWidget::toggleEntryAt(QPointF place) {
-  const HeadingEntry* entry = m_plot->entryAt(place);
-  if (entry == nullptr) return;
-  HiddenCurves hidden = m_plot->hidden();
-  const auto toggle = [](auto& set, const auto& key) {
-    if (set.erase(key) == 0) set.insert(key);
-  };
-  if (entry->key.isEmpty()) {
-    toggle(hidden.runs, entry->run);
-  } else {
-    toggle(hidden.names, entry->key);
-  }
-  setHidden(std::move(hidden));
-}
-
-void ChartWidget::pickAt(QPointF place) {
-  if (const auto time = timeAt(place)) emit timePicked(*time);
-}
-
-void ChartWidget::readAt(QPointF place) {
-  m_overlay.pointer = place;
-  m_overlay.readTime = plotArea().contains(place) ? timeAt(place) : std::nullopt;
-  update();
-}
-
-void ChartWidget::updatePointer(QPointF place) {
-  Qt::CursorShape shape = Qt::ArrowCursor;
-  if (isOnTimeLine(place)) {
-    shape = Qt::SplitHCursor;
-  } else if (m_plot->entryAt(place) != nullptr) {
-    shape = Qt::PointingHandCursor;
-  } else if (plotArea().contains(place)) {
-    shape = Qt::CrossCursor;
-  }
-  if (cursor().shape() != shape) setCursor(shape);
-}
-
-void ChartWidget::finishBox() {
-  const QRectF box = m_overlay.box.intersected(plotArea());
-  m_overlay.box = {};
-  update();
-  if (box.width() < kClickDistance || box.height() < kClickDistance) return;
-  const QRectF range = QRectF(valuesAt(box.topLeft()), valuesAt(box.bottomRight())).normalized();
-  zoomTo(range);
-}
-
 void ChartWidget::mousePressEvent(QMouseEvent* event) {
-  const QPointF place = event->position();
-  const bool moves = event->button() == Qt::MiddleButton ||
-                     (event->button() == Qt::LeftButton && event->modifiers() & Qt::ShiftModifier);
-  m_dragStart = place;
-  m_rangeAtStart = m_plot->range();
-  if (moves && plotArea().contains(place)) {
-    m_drag = Drag::kMove;
-    setCursor(Qt::ClosedHandCursor);
-  } else if (event->button() != Qt::LeftButton) {
-    QWidget::mousePressEvent(event);
-  } else if (isOnTimeLine(place)) {
-    m_drag = Drag::kTime;
-  } else if (plotArea().contains(place)) {
-    m_drag = Drag::kBox;
-  } else {
-    toggleEntryAt(place);
-  }
+  if (!m_hand->press(*event)) QWidget::mousePressEvent(event);
 }
 
 void ChartWidget::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF place = event->position();
-  const QPointF way = place - m_dragStart;
-  switch (m_drag) {
-    case Drag::kNone:
-      readAt(place);
-      updatePointer(place);
-      break;
-    case Drag::kTime:
-      m_overlay.readTime.reset();
-      pickAt(place);
-      break;
-    case Drag::kBox:
-      m_overlay.readTime.reset();
-      m_overlay.box = QRectF(m_dragStart, place).normalized().intersected(plotArea());
-      update();
-      break;
-    case Drag::kMove:
-      zoomTo(movedBy(m_rangeAtStart, -way.x() / plotArea().width(), way.y() / plotArea().height()));
-      break;
-  }
+  m_hand->move(*event);
 }
 
 void ChartWidget::mouseReleaseEvent(QMouseEvent* event) {
-  const QPointF place = event->position();
-  const Drag drag = std::exchange(m_drag, Drag::kNone);
-  const bool isClick = (place - m_dragStart).manhattanLength() < kClickDistance;
-  if (drag == Drag::kBox && isClick) pickAt(place);
-  if (drag == Drag::kBox) finishBox();
-  updatePointer(place);
+  m_hand->release(*event);
 }
 
 void ChartWidget::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && plotArea().contains(event->position())) resetZoom();
+  m_hand->pressAgain(*event);
 }
 
 void ChartWidget::wheelEvent(QWheelEvent* event) {
-  const QPointF place = event->position();
-  const double factor = std::pow(kWheelFactor, event->angleDelta().y() / 120.0);
-  // Beside an axis only along it.
-  const bool alongX = place.x() >= plotArea().left() && !(event->modifiers() & Qt::ControlModifier);
-  const bool alongY = place.y() <= plotArea().bottom() && !(event->modifiers() & Qt::ShiftModifier);
-  zoomAt(place, alongX ? factor : 1, alongY ? factor : 1);
+  m_hand->turnWheel(*event);
   event->accept();
 }
 
 void ChartWidget::leaveEvent(QEvent* event) {
   QWidget::leaveEvent(event);
-  m_overlay.readTime.reset();
-  update();
+  m_hand->stopReading();
 }
 
 void ChartWidget::contextMenuEvent(QContextMenuEvent* event) {
@@ -331,43 +181,24 @@ void ChartWidget::contextMenuEvent(QContextMenuEvent* event) {
   emit menuRequested(byKey ? mapToGlobal(rect().center()) : event->globalPos());
 }
 
-bool ChartWidget::wantsKey(const QKeyEvent& event) const {
-  if (event.matches(QKeySequence::Copy) || moveOf(event) != nullptr) return true;
-  if (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) return false;
-  switch (event.key()) {
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-    case Qt::Key_Minus:
-    case Qt::Key_0:
-      return true;
-    case Qt::Key_Escape:
-      return m_plot->zoom().has_value();
-    default:
-      return false;
-  }
-}
-
 void ChartWidget::keyPressEvent(QKeyEvent* event) {
-  if (!wantsKey(*event)) {
-    QWidget::keyPressEvent(event);
-  } else if (event->matches(QKeySequence::Copy)) {
+  if (event->matches(QKeySequence::Copy)) {
     copyPicture();
-  } else if (const KeyMove* move = moveOf(*event)) {
-    zoomTo(movedBy(m_plot->range(), move->x, move->y));
-  } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) {
-    zoomIn();
-  } else if (event->key() == Qt::Key_Minus) {
-    zoomOut();
+  } else if (m_hand->wants(*event)) {
+    m_hand->pressKey(*event);
   } else {
-    resetZoom();
+    QWidget::keyPressEvent(event);
   }
 }
 
 bool ChartWidget::event(QEvent* event) {
   // While the chart has the focus its keys come before the window's.
-  if (event->type() == QEvent::ShortcutOverride && wantsKey(*static_cast<QKeyEvent*>(event))) {
-    event->accept();
-    return true;
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto& key = *static_cast<QKeyEvent*>(event);
+    if (key.matches(QKeySequence::Copy) || m_hand->wants(key)) {
+      event->accept();
+      return true;
+    }
   }
   return QWidget::event(event);
 }
@@ -416,7 +247,7 @@ void ChartWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.drawPixmap(0, 0, m_picture);
   painter.setFont(ChartLook::forScreen(m_theme, font()).font);
-  paintOverlay(painter, m_overlay, *m_plot, plotArea(), m_theme);
+  paintOverlay(painter, m_hand->overlay(), *m_plot, plotArea(), m_theme);
   if (hasFocus()) paintFocus(painter);
 }
 
@@ -425,6 +256,10 @@ void ChartWidget::paintFocus(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
   const double inset = kFocusWidth / 2;
   painter.drawRect(QRectF(rect()).adjusted(inset, inset, -inset, -inset));
+}
+
+void ChartWidget::showCursor(Qt::CursorShape shape) {
+  if (cursor().shape() != shape) setCursor(shape);
 }
 
 void ChartWidget::focusInEvent(QFocusEvent* event) {

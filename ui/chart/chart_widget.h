@@ -9,7 +9,6 @@
 #include <QWidget>
 
 #include "ui/chart/chart_export.h"
-#include "ui/chart/chart_overlay.h"
 #include "ui/chart/chart_plot.h"
 #include "ui/style/theme.h"
 
@@ -17,6 +16,8 @@ class QChart;
 class QGraphicsScene;
 
 namespace ui {
+
+class ChartHand;
 
 /// A chart to look at closely: zoom by wheel, by keys or by drawing a box; move it; read values
 /// under the pointer; hide curves and runs by clicking on them in the legend; pick a moment by
@@ -78,36 +79,20 @@ class ChartWidget : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
-  /// What the mouse does while a button is down.
-  enum class Drag { kNone, kTime, kBox, kMove };
-
   void applyLook();
   void paintFocus(QPainter& painter) const;
   void draw();
   void markChanged();
   void renderPicture();
-  void zoomTo(const QRectF& range);
-  void zoomAt(QPointF place, double factorX, double factorY);
-  void finishBox();
-  void toggleEntryAt(QPointF place);
-  void pickAt(QPointF place);
-  void readAt(QPointF place);
-  void updatePointer(QPointF place);
-  bool isOnTimeLine(QPointF place) const;
-  std::optional<double> timeAt(QPointF place) const;
-  QPointF valuesAt(QPointF place) const;
-  bool wantsKey(const QKeyEvent& event) const;
+  void showCursor(Qt::CursorShape shape);
 
   std::unique_ptr<QGraphicsScene> m_scene;
   QChart* m_chart;    // owned by the scene
   ChartPlot* m_plot;  // belongs to the chart
+  ChartHand* m_hand;
   Theme m_theme;
   QPixmap m_picture;  // the chart without what moves over it
   bool m_pictureIsCurrent = false;
-  ChartOverlay m_overlay;
-  Drag m_drag = Drag::kNone;
-  QPointF m_dragStart;  // [px]
-  QRectF m_rangeAtStart;
   QElapsedTimer m_sinceDrawn;
   double m_updateTime = 0;  // of the last update [ms]
   double m_paintTime = 0;   // of the last picture [ms]

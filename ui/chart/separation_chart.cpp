@@ -21,7 +21,7 @@ namespace {
 constexpr double kLeastTime = 2;  // [s]
 constexpr double kWidth = 2.5;    // [px]
 constexpr std::size_t kMostPoints = 4000;
-constexpr QSize kLeastSize(230, 120);
+constexpr QSize kLeastSize(200, 120);
 
 /// Thinned, in the units of the axes.
 QList<QPointF> pointsOf(const core::SeparationSeries& series, std::size_t most,

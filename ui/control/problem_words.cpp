@@ -43,7 +43,11 @@ QString keyWords(const QString& key) {
       {"dragCoefficient", QT_TRANSLATE_NOOP("ui::ProblemWords", "The drag coefficient")},
       {"rope.length", QT_TRANSLATE_NOOP("ui::ProblemWords", "The rope's length")},
       {"rope.angle", QT_TRANSLATE_NOOP("ui::ProblemWords", "The start angle")},
+      {"rope.angularVelocity", QT_TRANSLATE_NOOP("ui::ProblemWords", "The angular velocity")},
+      {"velocity[0]", QT_TRANSLATE_NOOP("ui::ProblemWords", "The velocity x")},
+      {"velocity[1]", QT_TRANSLATE_NOOP("ui::ProblemWords", "The velocity y")},
       {"step", QT_TRANSLATE_NOOP("ui::ProblemWords", "The step")},
+      {"tolerance", QT_TRANSLATE_NOOP("ui::ProblemWords", "The tolerance")},
   };
   const char* words = kWords.value(key);
   return words ? Words::tr(words) : key;
@@ -65,6 +69,12 @@ QString rangeWords(const Place& place, const core::Problem& problem) {
       .arg(range);
 }
 
+QString tooManyWords(const Place& place, const core::Problem& problem) {
+  const QString most = quantityText(problem.allowed.highest);
+  return place.key == "solvers" ? Words::tr("There are more than %1 runs.").arg(most)
+                                : Words::tr("There are more than %1 weights.").arg(most);
+}
+
 }  // namespace
 
 QString problemWords(const core::Problem& problem) {
@@ -79,9 +89,7 @@ QString problemWords(const core::Problem& problem) {
           .arg(qMin(place.number, problem.other + 1))
           .arg(qMax(place.number, problem.other + 1));
     case core::Problem::Kind::kTooMany:
-      return Words::tr("There are more than %1.").arg(quantityText(problem.allowed.highest));
-    case core::Problem::Kind::kUnknownMethod:
-      return Words::tr("There is no method named %1.").arg(QString::fromStdString(problem.text));
+      return tooManyWords(place, problem);
   }
   return {};
 }

@@ -10,6 +10,7 @@
 #include "core/methods/method.h"
 #include "core/scene/scene_limits.h"
 #include "ui/files/degree_text.h"
+#include "ui/files/problem_line.h"
 
 namespace ui {
 
@@ -30,7 +31,7 @@ core::Scene SceneReader::read() {
 }
 
 void SceneReader::refuse(const core::Problem& problem) {
-  throw ValueRefused{QString::fromStdString(core::messageFor(problem))};
+  throw ValueRefused{problemLine(problem)};
 }
 
 // Goes through the whole text first: a newer file may hold anything, so its version is
@@ -186,12 +187,7 @@ core::Solver SceneReader::readSolver() {
 std::string SceneReader::readMethod() {
   std::string method = readString();
   if (!core::findOfferedMethod(method)) {
-    refuse({m_place,
-            core::Problem::Kind::kUnknownMethod,
-            0,
-            {0, 0, ""},
-            -1,
-            quoted(method).toStdString()});
+    refuse(tr("there is no method named %1").arg(quoted(method)));
   }
   return method;
 }
@@ -217,7 +213,10 @@ double SceneReader::readAngle(const core::Range& allowed) {
   const std::string_view digits = readDigits();
   const double degrees = *numberFromText(digits);
   if (m_demand == SceneDemand::kCanRun && !allowed.contains(degrees)) {
-    refuse({m_place, core::Problem::Kind::kOutOfRange, degrees, allowed, -1, {}});
+    refuse(core::Problem{.place = m_place,
+                         .kind = core::Problem::Kind::kOutOfRange,
+                         .value = degrees,
+                         .allowed = allowed});
   }
   return radiansFromDegreeText(digits);
 }

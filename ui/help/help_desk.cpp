@@ -2,18 +2,12 @@
 
 #include <QAction>
 #include <QMainWindow>
-#include <QStatusBar>
 
 #include "ui/control/commands.h"
 #include "ui/control/scene_editor.h"
 #include "ui/files/lessons.h"
 
 namespace ui {
-namespace {
-
-constexpr int kMessageTime = 6000;  // ms
-
-}  // namespace
 
 HelpDesk::HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWindow* window,
                    QWidget* face)
@@ -31,12 +25,15 @@ HelpDesk::~HelpDesk() {
   delete m_tour;
 }
 
+std::optional<HelpWindow::Place> HelpDesk::place() const {
+  if (!m_book || !m_book->isVisible()) return std::nullopt;
+  return m_book->place();
+}
+
 HelpWindow* HelpDesk::book() {
   if (!m_book) {
     m_book = new HelpWindow(m_face);
-    connect(m_book, &HelpWindow::said, m_window->statusBar(), [this](const QString& words) {
-      m_window->statusBar()->showMessage(words, kMessageTime);
-    });
+    connect(m_book, &HelpWindow::said, this, &HelpDesk::done);
   }
   return m_book;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <QObject>
 #include <QPointer>
 
@@ -23,6 +25,14 @@ class HelpDesk : public QObject {
   /// @param face    of the window in one language; what is shown goes with it
   HelpDesk(const Commands& commands, const SceneEditor* editor, QMainWindow* window, QWidget* face);
   ~HelpDesk() override;
+
+  /// What is open in the book, if it is.
+  std::optional<HelpWindow::Place> place() const;
+  void open(const HelpWindow::Place& place) { book()->bringUp(place); }
+
+ signals:
+  /// Something was printed or saved, in words.
+  void done(const QString& message);
 
  private:
   HelpWindow* book();

@@ -8,7 +8,6 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QEvent>
-#include <QFile>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -18,7 +17,6 @@
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTextBlock>
-#include <QTextBrowser>
 #include <QTextDocument>
 #include <QVBoxLayout>
 
@@ -26,6 +24,7 @@
 #include "ui/files/lessons.h"
 #include "ui/files/long_text.h"
 #include "ui/help/help_document.h"
+#include "ui/help/help_page.h"
 #include "ui/help/paper.h"
 #include "ui/style/icons.h"
 
@@ -38,13 +37,6 @@ constexpr int kPageMargin = 20;          // px
 constexpr int kItemPadding = 40;         // px: the list's frame and scroll bar
 constexpr double kContentsShare = 0.34;  // of the window, at most
 
-QString modelText() {
-  QFile file(QStringLiteral(":/core/model.md"));
-  const bool opened = file.open(QIODevice::ReadOnly);
-  Q_ASSERT(opened);
-  return opened ? QString::fromUtf8(file.readAll()) : QString();
-}
-
 bool isHeading(const QTextBlock& block) {
   return block.blockFormat().headingLevel() == 2;
 }
@@ -55,7 +47,7 @@ HelpWindow::HelpWindow(QWidget* parent)
     : QDialog(parent),
       m_chapters(new QTabBar),
       m_contents(new QListWidget),
-      m_page(new QTextBrowser),
+      m_page(new HelpPage),
       m_lesson(lessons().front().name) {
   setObjectName("help");
   setWindowTitle(tr("Help"));
@@ -68,14 +60,13 @@ HelpWindow::HelpWindow(QWidget* parent)
   m_chapters->setAccessibleDescription(tr("Guide, model or teacher's sheets"));
   m_contents->setAccessibleName(tr("Contents"));
   m_contents->setAccessibleDescription(tr("What this chapter has; the one chosen is shown"));
+  m_contents->setToolTip(m_contents->accessibleDescription());
   m_contents->setFrameShape(QFrame::NoFrame);
   m_contents->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_contents->setSpacing(2);
   m_contents->setTextElideMode(Qt::ElideRight);
   m_page->setAccessibleName(tr("Text"));
   m_page->setAccessibleDescription(tr("The page that is open"));
-  m_page->setOpenLinks(false);
-  m_page->setFrameShape(QFrame::NoFrame);
   auto* book = new QHBoxLayout;
   book->addWidget(m_contents);
   book->addWidget(m_page, 1);
@@ -90,9 +81,7 @@ HelpWindow::HelpWindow(QWidget* parent)
 }
 
 QWidget* HelpWindow::buttons() {
-  auto* box = new QDialogButtonBox(QDialogButtonBox::Close);
-  box->button(QDialogButtonBox::Close)->setIcon(icon("close"));
-  box->button(QDialogButtonBox::Close)->setToolTip(tr("Close this window"));
+  auto* box = new QDialogButtonBox;
   const auto add = [&](const char* name, const QString& words, const QString& tip, auto slot) {
     QPushButton* button = box->addButton(words, QDialogButtonBox::ActionRole);
     button->setIcon(icon(name));
@@ -105,6 +94,10 @@ QWidget* HelpWindow::buttons() {
       ->setShortcut(QKeySequence::Print);
   add("save", tr("&Save as PDF…"), tr("Save these pages as a file"), &HelpWindow::savePdf)
       ->setShortcut(QKeySequence::Save);
+  // Last, as it stands: Tab goes in the order in which buttons are made.
+  QPushButton* close = box->addButton(QDialogButtonBox::Close);
+  close->setIcon(icon("close"));
+  close->setToolTip(tr("Close this window"));
   connect(box, &QDialogButtonBox::rejected, this, &QDialog::reject);
   return box;
 }
@@ -121,6 +114,16 @@ void HelpWindow::bringUpSheet(const QString& lesson) {
   m_lesson = lesson;
   if (chapter() == Chapter::kSheets) showChapter();
   bringUp(Chapter::kSheets);
+}
+
+HelpWindow::Place HelpWindow::place() const {
+  return {saveGeometry(), chapter(), m_contents->currentRow()};
+}
+
+void HelpWindow::bringUp(const Place& place) {
+  bringUp(place.chapter);
+  restoreGeometry(place.geometry);
+  m_contents->setCurrentRow(place.row);
 }
 
 HelpWindow::Chapter HelpWindow::chapter() const {
@@ -155,14 +158,15 @@ void HelpWindow::listContents() {
 }
 
 void HelpWindow::showText() {
-  const PageLook look = PageLook::of(m_page->palette(), font());
+  PageLook look = PageLook::of(m_page->palette(), font());
+  look.width = m_page->viewport()->width();
   std::unique_ptr<QTextDocument> document;
   switch (chapter()) {
     case Chapter::kGuide:
       document = helpDocument(longText("help", "guide"), CodeMeans::kKeys, look);
       break;
     case Chapter::kModel:
-      document = helpDocument(modelText(), CodeMeans::kMath, look);
+      document = helpDocument(longText("help", "model"), CodeMeans::kMath, look);
       break;
     case Chapter::kSheets:
       document = helpDocument(longText("lessons", m_lesson), CodeMeans::kKeys, look);
@@ -196,7 +200,7 @@ std::unique_ptr<QTextDocument> HelpWindow::pagesForPaper() const {
     case Chapter::kGuide:
       return helpDocument(longText("help", "guide"), CodeMeans::kKeys, PageLook::onPaper());
     case Chapter::kModel:
-      return helpDocument(modelText(), CodeMeans::kMath, PageLook::onPaper());
+      return helpDocument(longText("help", "model"), CodeMeans::kMath, PageLook::onPaper());
     case Chapter::kSheets:
       break;
   }

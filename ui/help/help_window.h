@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include <QByteArray>
 #include <QDialog>
 #include <QString>
 
@@ -20,12 +21,23 @@ class HelpWindow : public QDialog {
  public:
   enum class Chapter { kGuide, kModel, kSheets };
 
+  /// Where the reader is; the same in every language.
+  struct Place {
+    QByteArray geometry;  ///< as saveGeometry() gives it
+    Chapter chapter;
+    int row;  ///< of the contents
+  };
+
   explicit HelpWindow(QWidget* parent = nullptr);
 
   /// Shows the window with that chapter open, in front of others.
   void bringUp(Chapter chapter);
   /// Shows the sheet of that lesson.
   void bringUpSheet(const QString& lesson);
+
+  Place place() const;
+  /// Shows the window with that place open.
+  void bringUp(const Place& place);
 
   /// The pages that are open, as they are printed.
   std::unique_ptr<QTextDocument> pagesForPaper() const;

@@ -5,7 +5,9 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QFontMetricsF>
+#include <QGuiApplication>
 #include <QPainter>
+#include <QScreen>
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextFrame>
@@ -29,9 +31,17 @@ constexpr float kKeyShade = 0.12F;
 constexpr double kIconSize = 1.2;
 constexpr double kIconLowered = 0.15;  // of its own size, below the baseline
 constexpr double kDisplaySize = 1.15;
+constexpr double kTighter = 0.99;
+constexpr int kFittings = 10;
 
 QFontMetricsF metricsOf(const DrawingLook& look) {
   return look.device ? QFontMetricsF(look.font, look.device) : QFontMetricsF(look.font);
+}
+
+/// Documents keep their margins in pixels of the screen, whatever they are drawn on.
+double pixelsOfScreenOn(const QPaintDevice* device) {
+  if (!device) return 1;
+  return device->logicalDpiX() / QGuiApplication::primaryScreen()->logicalDotsPerInchX();
 }
 
 class InlineMath : public InlineDrawing {
@@ -72,9 +82,12 @@ class DisplayedMath : public InlineDrawing {
     QFont font = look.font;
     font.setPointSizeF(font.pointSizeF() * kDisplaySize);
     MathPicture wanted = mathLines(m_lines, font, look.device);
-    if (look.room <= 0 || wanted.width <= look.room) return wanted;
-    font.setPointSizeF(font.pointSizeF() * look.room / wanted.width);
-    return mathLines(m_lines, font, look.device);
+    // Again and by a little more, as letters may come in some sizes only.
+    for (int i = 0; i < kFittings && look.room > 0 && wanted.width > look.room; ++i) {
+      font.setPointSizeF(font.pointSizeF() * kTighter * look.room / wanted.width);
+      wanted = mathLines(m_lines, font, look.device);
+    }
+    return wanted;
   }
 
   QStringList m_lines;
@@ -150,7 +163,7 @@ DrawingLook InlineDrawings::lookOf(const QTextDocument* document, const QTextFor
   const QPaintDevice* device = document->documentLayout()->paintDevice();
   const QTextFrameFormat page = document->rootFrame()->frameFormat();
   const double margins = page.leftMargin() + page.rightMargin() + 2 * document->documentMargin();
-  return {font, m_color, device, document->textWidth() - margins};
+  return {font, m_color, device, document->textWidth() - margins * pixelsOfScreenOn(device)};
 }
 
 QSizeF InlineDrawings::intrinsicSize(QTextDocument* document, int, const QTextFormat& format) {

@@ -130,9 +130,14 @@ class Reader {
            !kRaised.contains(m_text[place]) && !kLowered.contains(m_text[place]);
   }
 
+  /// The apostrophe in "l’air".
+  bool isElisionAt(qsizetype place) const {
+    return place < m_text.size() && m_text[place] == QChar(u'’') && isLetterAt(place + 1);
+  }
+
   MathNode readLetters() {
     const qsizetype first = m_place;
-    while (isLetterAt(m_place)) ++m_place;
+    while (isLetterAt(m_place) || isElisionAt(m_place)) ++m_place;
     const QString letters = m_text.mid(first, m_place - first);
     if (letters.size() == 1) return {MathKind::kVariable, letters, {}};
     return {MathKind::kWord, letters, {}};

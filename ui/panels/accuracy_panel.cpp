@@ -6,9 +6,7 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QMenu>
 #include <QSplitter>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/trade/measurement_csv.h"
@@ -20,11 +18,11 @@
 #include "ui/control/trade_words.h"
 #include "ui/files/lessons.h"
 #include "ui/files/output_file.h"
+#include "ui/panels/export_button.h"
 #include "ui/panels/export_message.h"
 #include "ui/panels/measurement_table.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/task_row.h"
-#include "ui/style/icons.h"
 
 namespace ui {
 namespace {
@@ -44,7 +42,8 @@ AccuracyPanel::AccuracyPanel(SceneEditor* editor, QWidget* parent)
       m_until(new QuantityField({.range = kUntilRange, .arrowStep = 1})),
       m_against(new QComboBox),
       m_error(new QComboBox),
-      m_export(exportButton()),
+      m_export(
+          new ExportButton([this] { return fileNameFrom(m_sceneName) + '-' + tr("accuracy"); })),
       m_chart(new TradeView<WorkPrecisionPlot>),
       m_table(new MeasurementTable),
       m_results(resultArea()),
@@ -62,6 +61,8 @@ AccuracyPanel::AccuracyPanel(SceneEditor* editor, QWidget* parent)
   layout->addStretch();
   connect(m_chart->plot(), &WorkPrecisionPlot::pointPicked, this, &AccuracyPanel::picked);
   connect(m_table, &MeasurementTable::rowPicked, this, &AccuracyPanel::picked);
+  connect(m_export, &ExportButton::chartWanted, this, &AccuracyPanel::saveChart);
+  connect(m_export, &ExportButton::tableWanted, this, &AccuracyPanel::saveTable);
   connect(m_row, &TaskRow::startWanted, this, [this] { measure(m_time); });
   connect(editor, &SceneEditor::sceneReplaced, this, &AccuracyPanel::forget);
   forget();
@@ -93,35 +94,12 @@ void AccuracyPanel::buildControls() {
   m_row->addLast(m_export);
 }
 
-QToolButton* AccuracyPanel::exportButton() {
-  auto* button = new QToolButton;
-  button->setText(tr("Export"));
-  button->setToolTip(tr("Save the chart as a picture or its figures as a table"));
-  button->setIcon(icon("save"));
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(button);
-  menu->addAction(icon("chart"), tr("Chart…"), this, [this] {
-    const QString file = askWhereToSave(this, tr("Export chart"), suggested("png"), pictureKinds());
-    if (!file.isEmpty()) saveChart(file);
-  });
-  menu->addAction(icon("table"), tr("Table…"), this, [this] {
-    const QString file =
-        askWhereToSave(this, tr("Export table"), suggested("csv"), {tr("Table (*.csv)")});
-    if (!file.isEmpty()) saveTable(file);
-  });
-  button->setMenu(menu);
-  return button;
-}
-
-QWidget* AccuracyPanel::resultArea() {
+QSplitter* AccuracyPanel::resultArea() {
   auto* splitter = new QSplitter(Qt::Horizontal);
   m_chart->setAccessibleName(tr("Error against cost or step"));
   m_chart->setToolTip(tr("Click a point to open it as a run"));
   splitter->addWidget(m_chart);
   splitter->addWidget(m_table);
-  constexpr int kChartShare = 600, kTableShare = 400;
-  splitter->setSizes({kChartShare, kTableShare});
   return splitter;
 }
 
@@ -143,11 +121,19 @@ void AccuracyPanel::show(std::shared_ptr<const core::Measurement> measurement,
   m_measurement = std::move(measurement);
   m_sceneName = sceneName;
   m_export->setEnabled(true);
-  m_results->show();
   m_chart->plot()->setTitle(sceneName);
   m_chart->plot()->setMeasurement(m_measurement);
   m_table->setMeasurement(*m_measurement);
+  if (m_results->isHidden()) divideRoom();
+  m_results->show();
   showFound();
+}
+
+/// The chart gets most of it, but the table what its first columns need.
+void AccuracyPanel::divideRoom() {
+  const int all = contentsRect().width() - m_results->handleWidth();
+  const int table = std::clamp(m_table->widthOfFirstColumns(), 2 * all / 5, all / 2);
+  m_results->setSizes({all - table, table});
 }
 
 /// What was measured belongs to another scene.
@@ -183,10 +169,6 @@ void AccuracyPanel::saveChart(const QString& file) {
 
 void AccuracyPanel::saveTable(const QString& file) {
   sayIfNotExported(this, file, writeWhole(file, core::measurementCsv(*m_measurement)));
-}
-
-QString AccuracyPanel::suggested(const QString& ending) const {
-  return fileNameFrom(m_sceneName) + '-' + tr("accuracy") + '.' + ending;
 }
 
 }  // namespace ui

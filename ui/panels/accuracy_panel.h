@@ -10,11 +10,12 @@
 
 class QComboBox;
 class QLabel;
-class QToolButton;
+class QSplitter;
 
 namespace ui {
 
 class BackgroundTask;
+class ExportButton;
 class MeasurementTable;
 class QuantityField;
 class SceneEditor;
@@ -45,13 +46,12 @@ class AccuracyPanel : public QWidget {
 
  private:
   void buildControls();
-  QToolButton* exportButton();
-  QWidget* resultArea();
+  QSplitter* resultArea();
   void show(std::shared_ptr<const core::Measurement> measurement, const QString& sceneName);
   void showAgainst();
   void showFound();
+  void divideRoom();
   void forget();
-  QString suggested(const QString& ending) const;
 
   SceneEditor* m_editor;
   BackgroundTask* m_task;
@@ -59,10 +59,10 @@ class AccuracyPanel : public QWidget {
   QuantityField* m_until;
   QComboBox* m_against;
   QComboBox* m_error;
-  QToolButton* m_export;
+  ExportButton* m_export;
   TradeView<WorkPrecisionPlot>* m_chart;
   MeasurementTable* m_table;
-  QWidget* m_results;  // both, once there are any
+  QSplitter* m_results;  // both, once there are any
   QLabel* m_found;
   double m_time = 10;  // [s]
   QString m_sceneName;

@@ -30,6 +30,21 @@ constexpr int kRowPadding = 6;    // px, above and below together
 constexpr int kCellPadding = 12;  // px, both sides together
 const QString kNothing = QStringLiteral("–");
 
+/// Wants to be as wide as its columns are with names and figures whole.
+class RunTable : public QTableWidget {
+ public:
+  RunTable() : QTableWidget(0, kColumnCount) {}
+
+  QSize sizeHint() const override {
+    const QHeaderView* header = horizontalHeader();
+    int width = 2 * frameWidth();
+    for (int column = 0; column < columnCount(); ++column)
+      width += std::max({header->sectionSizeHint(column), sizeHintForColumn(column),
+                         header->minimumSectionSize()});
+    return {width, QTableWidget::sizeHint().height()};
+  }
+};
+
 /// Which run is the reference; −1 if none is.
 int referenceAmong(const std::vector<const core::Run*>& runs) {
   const auto found = std::ranges::find_if(
@@ -56,7 +71,7 @@ ComparisonPanel::ComparisonPanel(const RunController* controller, QWidget* paren
     : QWidget(parent),
       m_controller(controller),
       m_chooser(new QComboBox),
-      m_table(new QTableWidget(0, kColumnCount)),
+      m_table(new RunTable),
       m_chart(new SeparationChart),
       m_limiter(new RedrawLimiter(kPause, this)) {
   auto* layout = new QHBoxLayout(this);
@@ -136,6 +151,7 @@ void ComparisonPanel::listRuns() {
   m_hadReference = reference >= 0;
   m_chooser->setCurrentIndex(isNew ? reference : std::clamp(chosen, 0, count - 1));
   m_chooser->setVisible(count > 1);
+  m_table->updateGeometry();
   paintMarks();
   chooseBase();
 }

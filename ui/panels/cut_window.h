@@ -4,26 +4,20 @@
 #include <vector>
 
 #include <QDialog>
-#include <QString>
 
 #include "core/aim/cut_sweep.h"
-#include "ui/chart/cut_sweep_result.h"
 
-class QComboBox;
-class QLabel;
-class QSpinBox;
 class QTimer;
-class QToolButton;
 
 namespace ui {
 
 class BackgroundTask;
-class CutSweepChart;
-class HitTable;
-class QuantityField;
+class CutQuestions;
+class CutResults;
 class SceneEditor;
 class SceneTarget;
 class TaskRow;
+struct CutSweepResult;
 
 /// When to cut? Landing place of a weight against cut time, and the moments that hit the target,
 /// found in the background. Beside the main window, which stays usable.
@@ -38,17 +32,12 @@ class CutWindow : public QDialog {
   void bringUp();
 
   /// The latest sweep, with the hits on the target as it is; null if there is none.
-  const std::shared_ptr<const CutSweepResult>& result() const { return m_result; }
-
-  // To a file of this name, whose ending names the kind. Messages say what went wrong.
-  void saveChart(const QString& file);
-  void saveTable(const QString& file);
+  const std::shared_ptr<const CutSweepResult>& result() const;
+  CutResults* results() const { return m_results; }
 
  public slots:
-  /// Sweeps the scene as the controls say; what is under way is given up.
+  /// Sweeps the scene as the questions say; what is under way is given up.
   void find();
-  void copyChart() const;
-  void copyData() const;
 
  signals:
   /// The scene cuts all ropes at this time [s] from now on: the user chose it.
@@ -57,12 +46,8 @@ class CutWindow : public QDialog {
  private:
   struct Work;
 
-  void buildControls();
-  QWidget* questionRow();
-  QToolButton* exportButton();
-  QWidget* resultArea();
-  void listRuns();
-  void showTarget();
+  void connectParts();
+  void noteTarget();
   void noteScene();
   void forget();
   void begin(bool sweepsAnew);
@@ -70,30 +55,17 @@ class CutWindow : public QDialog {
   void goOn();
   void pick(double cutTime);
   bool findsByItself() const;
-  core::CutSweepQuestion question() const;
-  QString suggested(const QString& ending) const;
 
   SceneEditor* m_editor;
   SceneTarget* m_target;
   BackgroundTask* m_task;
   TaskRow* m_row;
-  QSpinBox* m_weight;
-  QComboBox* m_run;
-  QuantityField* m_center;
-  QuantityField* m_width;
-  QuantityField* m_from;
-  QuantityField* m_until;
-  QToolButton* m_export;
-  CutSweepChart* m_chart;
-  HitTable* m_table;
-  QLabel* m_found;
+  CutQuestions* m_questions;
+  CutResults* m_results;
   QTimer* m_pause;               // so that hits are not looked for at every pixel of a drag
-  double m_firstCut = 0;         // [s]
-  double m_lastCut = 10;         // [s]
   bool m_wantsSweep = false;     // once what is under way has ended
   bool m_wantsHits = false;      // likewise
   std::shared_ptr<Work> m_work;  // the latest sweep; used by one thread at a time
-  std::shared_ptr<const CutSweepResult> m_result;
 };
 
 }  // namespace ui

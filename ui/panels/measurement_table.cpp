@@ -1,6 +1,7 @@
 #include "ui/panels/measurement_table.h"
 
 #include <QHeaderView>
+#include <QScrollBar>
 
 #include "ui/chart/log_scale.h"
 #include "ui/control/quantity_text.h"
@@ -11,6 +12,7 @@ namespace ui {
 namespace {
 
 constexpr double kNanoseconds = 1e-9;  // [s]
+constexpr int kTime = 4;               // the column
 
 QString quantity(double value, const QString& symbol) {
   return value > 0 ? prefixedText(value, symbol) : QStringLiteral("0 ") + symbol;
@@ -52,6 +54,12 @@ void MeasurementTable::setMeasurement(const core::Measurement& measurement) {
     for (const core::MeasuredPoint& point : curve.points) addRow(point);
   }
   resizeColumnsToContents();
+}
+
+int MeasurementTable::widthOfFirstColumns() const {
+  const QHeaderView* header = horizontalHeader();
+  const int end = header->sectionPosition(kTime) + header->sectionSize(kTime);
+  return end + verticalScrollBar()->sizeHint().width() + 2 * frameWidth();
 }
 
 void MeasurementTable::addRow(const core::MeasuredPoint& point) {

@@ -17,6 +17,9 @@ class MeasurementTable : public QTableWidget {
 
   void setMeasurement(const core::Measurement& measurement);
 
+  /// So wide that all columns up to the computing time are in sight [px].
+  int widthOfFirstColumns() const;
+
  signals:
   /// The user double-clicked a row, or pressed Return on it.
   void rowPicked(const core::Solver& solver);

@@ -161,19 +161,15 @@ QStringList holdings() {
 }
 
 QString columnMeaning(WeightColumn column) {
-  // Where a form has the same field it says the same.
-  const auto ofForm = [](const char* words) {
-    return QCoreApplication::translate("ui::WeightsForm", words);
-  };
   switch (column) {
     case WeightColumn::kMass:
-      return ofForm(
+      return Words::tr(
           "Mass m, in kg. It does not matter for a swing without air; with air a heavier "
           "weight is slowed down less.");
     case WeightColumn::kRadius:
-      return ofForm("Radius r, in m. Air meets the area A = π r².");
+      return Words::tr("Radius r, in m. Air meets the area A = π r².");
     case WeightColumn::kDragCoefficient:
-      return ofForm(
+      return Words::tr(
           "Drag coefficient c_d, without unit: how well the shape is held up by air. "
           "0.47 for a sphere.");
     case WeightColumn::kColor:
@@ -184,11 +180,11 @@ QString columnMeaning(WeightColumn column) {
     case WeightColumn::kPivotY:
       return Words::tr("Where the rope is tied: x from the left wall, y from the floor, in m");
     case WeightColumn::kLength:
-      return ofForm(
+      return Words::tr(
           "Length of the rope L, in m: from its pivot to the center of the weight. A "
           "small swing takes T = 2π √(L/g).");
     case WeightColumn::kAngle:
-      return ofForm(
+      return Words::tr(
           "Angle θ of the rope at the start, in degrees from straight down, positive to "
           "the right.");
     case WeightColumn::kAngularVelocity:

@@ -32,7 +32,8 @@ inline constexpr int kWeightColumnCount = 14;
 
 /// "Angular velocity".
 QString columnName(WeightColumn column);
-/// What stands in it, in a sentence or two, with symbol and unit.
+/// What stands in it, in a sentence or two, with symbol and unit; what a form's field for the same
+/// quantity says.
 QString columnMeaning(WeightColumn column);
 /// The name and the unit in brackets: "Angular velocity [°/s]".
 QString columnHeading(WeightColumn column);

@@ -10,6 +10,7 @@
 #include "core/scene/scene_limits.h"
 #include "ui/control/scene_editor.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/panels/weight_columns.h"
 #include "ui/panels/wheel_guard.h"
 #include "ui/style/icons.h"
 
@@ -57,33 +58,29 @@ void WeightsForm::addChooser() {
 
 void WeightsForm::addRopeRows() {
   addHeading(tr("Rope"));
-  m_ropeLength = addWeightQuantity(
-      {[] { return tr("Length"); }, tr("Length of the rope L, in m: from its pivot to the center "
-                                       "of the weight. A small swing takes T = 2π √(L/g).")},
-      {core::kRopeLengthRange, 0.05},
-      [](core::Weight& weight) { return ropePart(weight, &core::Rope::length); });
-  m_ropeAngle = addWeightQuantity(
-      {[] { return tr("Start angle"); }, tr("Angle θ of the rope at the start, in degrees from "
-                                            "straight down, positive to the right.")},
-      {core::kRopeAngleRange, 5},
-      [](core::Weight& weight) { return ropePart(weight, &core::Rope::angle); });
+  m_ropeLength =
+      addWeightQuantity({[] { return tr("Length"); }, columnMeaning(WeightColumn::kLength)},
+                        {core::kRopeLengthRange, 0.05},
+                        [](core::Weight& weight) { return ropePart(weight, &core::Rope::length); });
+  m_ropeAngle =
+      addWeightQuantity({[] { return tr("Start angle"); }, columnMeaning(WeightColumn::kAngle)},
+                        {core::kRopeAngleRange, 5},
+                        [](core::Weight& weight) { return ropePart(weight, &core::Rope::angle); });
 }
 
 void WeightsForm::addBodyRows() {
   addHeading(tr("Body"));
   m_bodyFields = {
+      addWeightQuantity({[] { return tr("Mass"); }, columnMeaning(WeightColumn::kMass)},
+                        {core::kMassRange, 0.01},
+                        [](core::Weight& weight) { return &weight.mass; }),
+      addWeightQuantity({[] { return tr("Radius"); }, columnMeaning(WeightColumn::kRadius)},
+                        {core::kRadiusRange, 0.005},
+                        [](core::Weight& weight) { return &weight.radius; }),
       addWeightQuantity(
-          {[] { return tr("Mass"); }, tr("Mass m, in kg. It does not matter for a swing without "
-                                         "air; with air a heavier weight is slowed down less.")},
-          {core::kMassRange, 0.01}, [](core::Weight& weight) { return &weight.mass; }),
-      addWeightQuantity(
-          {[] { return tr("Radius"); }, tr("Radius r, in m. Air meets the area A = π r².")},
-          {core::kRadiusRange, 0.005}, [](core::Weight& weight) { return &weight.radius; }),
-      addWeightQuantity({[] { return tr("Drag coefficient"); },
-                         tr("Drag coefficient c_d, without unit: how well the shape is held up by "
-                            "air. 0.47 for a sphere.")},
-                        {core::kDragCoefficientRange, 0.05},
-                        [](core::Weight& weight) { return &weight.dragCoefficient; }),
+          {[] { return tr("Drag coefficient"); }, columnMeaning(WeightColumn::kDragCoefficient)},
+          {core::kDragCoefficientRange, 0.05},
+          [](core::Weight& weight) { return &weight.dragCoefficient; }),
   };
 }
 

@@ -2,28 +2,37 @@
 
 #include <algorithm>
 
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
+#include <QBuffer>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QPainter>
+#include <QPdfWriter>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollBar>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextDocument>
+#include <QTextFrame>
+#include <QTextLayout>
 #include <QTimer>
 #include <QToolButton>
 
 #include "core/scene/arrangement.h"
 #include "ui/control/commands.h"
 #include "ui/control/scene_editor.h"
+#include "ui/control/settings.h"
 #include "ui/files/lessons.h"
 #include "ui/files/long_text.h"
 #include "ui/files/scene_file.h"
@@ -72,6 +81,15 @@ QStringList itemsOf(const QListWidget* list) {
   return items;
 }
 
+/// How wide its widest line would like to be.
+double widestLineOf(const QTextDocument& document) {
+  double widest = 0;
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+    for (int i = 0; i < block.layout()->lineCount(); ++i)
+      widest = std::max(widest, block.layout()->lineAt(i).naturalTextWidth());
+  return widest;
+}
+
 int pagesOf(const QTextDocument& document, const QString& file) {
   const QString error = ui::writePdf(document, QStringLiteral("Test"), file);
   if (!error.isEmpty()) qFatal("%s", qPrintable(error));
@@ -96,6 +114,7 @@ class HelpWindowTest : public QObject {
  private slots:
   void initTestCase();
   void init();
+  void cleanup() { ui::speak(ui::Language::kEnglish); }
   void opensTheSheetOfTheLesson();
   void aButtonBesideTheLessonOpensItsSheet();
   void anOwnSceneOpensTheSheetsToo();
@@ -103,6 +122,9 @@ class HelpWindowTest : public QObject {
   void opensTheGuideAndTheModelByKeys();
   void drawsKeysIconsAndEquations();
   void goesToAHeading();
+  void goesOnInAnotherLanguage();
+  void needsNoMoreThanTheWidthOfASmallScreen();
+  void needsNoMoreThanTheWidthOfPaper();
   void staysBesideTheWindow();
   void isReadInLightAndDark();
   void everySheetIsOnePageInEveryLanguage();
@@ -194,6 +216,68 @@ void HelpWindowTest::goesToAHeading() {
            qPrintable(top.block().text()));
 }
 
+void HelpWindowTest::goesOnInAnotherLanguage() {
+  ShownWindow window;
+  const HelpWindow* help = window.press(Qt::Key_M);
+  help->contents()->setCurrentRow(3);
+  const QString english = textOf(help);
+  QStringList titles{titleOf(help)};
+  for (const ui::Language language : {ui::Language::kSwedish, ui::Language::kGerman,
+                                      ui::Language::kFrench, ui::Language::kSpanish}) {
+    window.speak(language);
+    help = window.findChild<HelpWindow*>();
+    QVERIFY(help && help->isVisible());
+    QCOMPARE(help->contents()->currentRow(), 3);
+    QVERIFY(help->page()->verticalScrollBar()->value() > 0);
+    QVERIFY(textOf(help) != english);
+    titles << titleOf(help);
+  }
+  window.speak(ui::Language::kEnglish);
+  QCOMPARE(titles.join(' '), QString("The model Modellen Das Modell Le modèle El modelo"));
+  help = window.findChild<HelpWindow*>();
+  QCOMPARE(textOf(help), english);
+  // What is closed stays closed.
+  QTest::keyClick(window.findChild<HelpWindow*>(), Qt::Key_Escape);
+  window.speak(ui::Language::kGerman);
+  help = window.findChild<HelpWindow*>();
+  QVERIFY(!help || !help->isVisible());
+}
+
+void HelpWindowTest::needsNoMoreThanTheWidthOfASmallScreen() {
+  constexpr double kRoom = 870;  // px: what a screen of 1280 × 720 has beside the contents
+  QFont font;
+  font.setPointSizeF(12);  // the window's
+  const auto look = ui::PageLook::of(QApplication::palette(), font);
+  for (const QString& language : ui::languagesOf("help")) {
+    const auto page =
+        ui::helpDocument(ui::longText("help", "model", language), ui::CodeMeans::kMath, look);
+    page->setTextWidth(kRoom);
+    QVERIFY(page->size().height() > 3000);  // all of it is laid out
+    QVERIFY2(widestLineOf(*page) <= kRoom - 2 * page->documentMargin(), qPrintable(language));
+  }
+}
+
+void HelpWindowTest::needsNoMoreThanTheWidthOfPaper() {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter paper(&buffer);
+  paper.setPageSize(QPageSize(QPageSize::A4));
+  paper.setPageMargins(QMarginsF());
+  constexpr double kMargin = 2 / 2.54;  // inches: what QTextDocument::print() leaves
+  for (const QString& language : ui::languagesOf("help")) {
+    const auto pages = ui::helpDocument(ui::longText("help", "model", language),
+                                        ui::CodeMeans::kMath, ui::PageLook::onPaper());
+    pages->documentLayout()->setPaintDevice(&paper);
+    QTextFrameFormat margins = pages->rootFrame()->frameFormat();
+    margins.setMargin(kMargin * QGuiApplication::primaryScreen()->logicalDotsPerInch());
+    pages->rootFrame()->setFrameFormat(margins);
+    pages->setPageSize(QSizeF(paper.width(), paper.height()));
+    QVERIFY(pages->pageCount() > 3);
+    const double room = paper.width() - 2 * kMargin * paper.logicalDpiX();
+    QVERIFY2(widestLineOf(*pages) <= room + 1, qPrintable(language));
+  }
+}
+
 void HelpWindowTest::staysBesideTheWindow() {
   ShownWindow window;
   HelpWindow* help = window.press(Qt::Key_M);
@@ -259,6 +343,8 @@ void HelpWindowTest::savesTheSheetAsPdf() {
   QFile pdf(file);
   QVERIFY(pdf.open(QIODevice::ReadOnly));
   QVERIFY(pdf.readAll().startsWith("%PDF"));
+  // The window says so, as it says everything that was done.
+  QCOMPARE(window.statusBar()->currentMessage(), "Saved " + file);
 }
 
 void HelpWindowTest::printsTheSheetIntoAFile() {

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QTest>
 
+#include "ui/help/inline_drawing.h"
 #include "ui/help/math_text.h"
 
 using ui::MathPicture;
@@ -47,6 +48,7 @@ class MathPictureTest : public QObject {
   void alignsLinesAtTheirRelations();
   void drawsWithinItsSize_data();
   void drawsWithinItsSize();
+  void shrinksDisplayedLinesToTheirRoom();
 };
 
 void MathPictureTest::slantsVariablesAlone() {
@@ -142,6 +144,19 @@ void MathPictureTest::drawsWithinItsSize() {
   QVERIFY2(room.adjusted(-kHair, -kHair, kHair, kHair).contains(ink), qPrintable(text));
   // And fills it: nothing keeps room for what is not drawn.
   QVERIFY(ink.width() > room.width() * 0.8 - kHair && ink.height() > room.height() * 0.6);
+}
+
+void MathPictureTest::shrinksDisplayedLinesToTheirRoom() {
+  const auto lines =
+      ui::displayedMath({"1/M = n · (velocity from unit impulse along n)    1/M = 1/m",
+                         "J = (1 + e) ((v_a − v_b)·n) / (1/M_a + 1/M_b)"});
+  const double free = lines->size({letters(), Qt::black}).width();
+  for (int percent = 50; percent < 100; ++percent) {
+    const double room = free * percent / 100;
+    const double width = lines->size({letters(), Qt::black, nullptr, room}).width();
+    QVERIFY2(0.85 * room < width && width <= room,
+             qPrintable(QStringLiteral("%1 in %2").arg(width).arg(room)));
+  }
 }
 
 QTEST_MAIN(MathPictureTest)

@@ -1,8 +1,9 @@
 #include "ui/help/math_text.h"
 
-#include <QFile>
 #include <QRegularExpression>
 #include <QTest>
+
+#include "ui/files/long_text.h"
 
 using ui::MathKind;
 using ui::MathNode;
@@ -53,6 +54,7 @@ class MathTextTest : public QObject {
  private slots:
   void reads_data();
   void reads();
+  void losesNothingOfTheModel_data();
   void losesNothingOfTheModel();
   void readsAnything_data();
   void readsAnything();
@@ -93,6 +95,8 @@ void MathTextTest::reads_data() {
                                       << "sign− *a − *b = sign− *c";
   QTest::newRow("words") << "lost to air"
                          << "lost to air";
+  QTest::newRow("word with an apostrophe") << "dans l’air"
+                                           << "dans l’air";
   QTest::newRow("functions") << "cos θ"
                              << "cos *θ";
 }
@@ -103,11 +107,16 @@ void MathTextTest::reads() {
   QCOMPARE(written(ui::readMath(text)), tree);
 }
 
+void MathTextTest::losesNothingOfTheModel_data() {
+  QTest::addColumn<QString>("language");
+  for (const QString& language : ui::languagesOf("help"))
+    QTest::newRow(qPrintable(language)) << language;
+}
+
 void MathTextTest::losesNothingOfTheModel() {
-  QFile model(QStringLiteral(":/core/model.md"));
-  QVERIFY(model.open(QIODevice::ReadOnly));
+  QFETCH(QString, language);
   int equations = 0;
-  for (const QString& line : QString::fromUtf8(model.readAll()).split('\n')) {
+  for (const QString& line : ui::longText("help", "model", language).split('\n')) {
     if (!line.startsWith(QStringLiteral("    "))) continue;
     ++equations;
     QString expected = signsOf(line);

@@ -19,12 +19,14 @@
 #include "tests/support/file_content.h"
 #include "tests/support/shown_window.h"
 #include "ui/chart/cut_sweep_chart.h"
+#include "ui/chart/cut_sweep_result.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_target.h"
 #include "ui/control/target_control.h"
 #include "ui/main_window.h"
+#include "ui/panels/cut_results.h"
 #include "ui/panels/hit_table.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/view/scene_area.h"
@@ -256,13 +258,13 @@ void CutWindowTest::canBeCancelled() {
 
 void CutWindowTest::exportsChartAndTable() {
   Opened opened;
-  opened.cuts->saveChart(m_folder.filePath("cut.svg"));
+  opened.cuts->results()->saveChart(m_folder.filePath("cut.svg"));
   QVERIFY(contentOf(m_folder.filePath("cut.svg")).contains("Lands at (m)"));
-  opened.cuts->saveChart(m_folder.filePath("cut.pdf"));
+  opened.cuts->results()->saveChart(m_folder.filePath("cut.pdf"));
   QVERIFY(contentOf(m_folder.filePath("cut.pdf")).startsWith("%PDF"));
-  opened.cuts->saveChart(m_folder.filePath("cut.png"));
+  opened.cuts->results()->saveChart(m_folder.filePath("cut.png"));
   QVERIFY(QImage(m_folder.filePath("cut.png")).width() > 2000);
-  opened.cuts->saveTable(m_folder.filePath("cut.csv"));
+  opened.cuts->results()->saveTable(m_folder.filePath("cut.csv"));
   const QList<QByteArray> rows = contentOf(m_folder.filePath("cut.csv")).split('\n');
   QVERIFY(rows.front().startsWith("Cut (s),Lands at (m),"));
   QCOMPARE(static_cast<std::size_t>(rows.size()), opened.cuts->result()->landings.size() + 2);
@@ -272,11 +274,11 @@ void CutWindowTest::exportsChartAndTable() {
 
 void CutWindowTest::copiesChartAndData() {
   Opened opened;
-  opened.cuts->copyData();
+  opened.cuts->results()->copyData();
   const QMimeData* copied = QGuiApplication::clipboard()->mimeData();
   QVERIFY(copied->text().startsWith("Cut (s)\tLands at (m)\t"));
   QVERIFY(copied->data("text/csv").startsWith("Cut (s),"));
-  opened.cuts->copyChart();
+  opened.cuts->results()->copyChart();
   QVERIFY(QGuiApplication::clipboard()->image().width() > 2000);
 }
 

@@ -14,14 +14,19 @@
 #include "core/trade/reference.h"
 #include "tests/support/fields.h"
 #include "ui/control/scene_editor.h"
+#include "ui/control/translations.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/runs_form.h"
 #include "ui/panels/scene_form.h"
+#include "ui/panels/weight_columns.h"
 #include "ui/panels/weights_form.h"
+#include "ui/panels/weights_model.h"
 
 using tests::enter;
 using tests::fieldNamed;
+using ui::Language;
 using ui::QuantityField;
+using ui::WeightColumn;
 
 namespace {
 
@@ -41,7 +46,8 @@ class FormsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() { QLocale::setDefault(QLocale::c()); }
+  void init() { QLocale::setDefault(QLocale::c()); }
+  void cleanup() { ui::speak(Language::kEnglish); }
   void aFieldChangesTheScene_data();
   void aFieldChangesTheScene();
   void theNumberOfWeightsHangsThemEvenly();
@@ -53,6 +59,8 @@ class FormsTest : public QObject {
   void allWeightsChangeAtOnce();
   void differentWeightsShowNoCommonValue();
   void fieldsWithoutAWeightCannotBeEdited();
+  void explainsAWeightAsTheTableDoes_data();
+  void explainsAWeightAsTheTableDoes();
   void methodAndStepOfARunChange();
   void anAdaptiveMethodTakesAToleranceInPlaceOfAStep();
   void theSecondRunGoesAndComesBackAsItWas();
@@ -201,6 +209,33 @@ void FormsTest::fieldsWithoutAWeightCannotBeEdited() {
   QVERIFY(fieldNamed(form, "Mass")->isEnabled());
   editor.change([](core::Scene& draft) { draft.weights.clear(); });
   QVERIFY(!fieldNamed(form, "Mass")->isEnabled());
+}
+
+void FormsTest::explainsAWeightAsTheTableDoes_data() {
+  QTest::addColumn<Language>("language");
+  QTest::addColumn<QString>("mass");
+  QTest::newRow("English") << Language::kEnglish << "Mass m";
+  QTest::newRow("Swedish") << Language::kSwedish << "Massan m";
+  QTest::newRow("French") << Language::kFrench << "Masse m";
+}
+
+void FormsTest::explainsAWeightAsTheTableDoes() {
+  QFETCH(Language, language);
+  QFETCH(QString, mass);
+  ui::speak(language);
+  ui::SceneEditor editor(threeWeights());
+  const ui::WeightsForm form(&editor);
+  const ui::WeightsModel table(&editor);
+  const auto heading = [&](WeightColumn column) {
+    return table.headerData(static_cast<int>(column), Qt::Horizontal, Qt::ToolTipRole).toString();
+  };
+  QVERIFY2(heading(WeightColumn::kMass).startsWith(mass), qPrintable(heading(WeightColumn::kMass)));
+  QStringList tips;
+  for (const QuantityField* field : form.findChildren<QuantityField*>())
+    tips << field->spinBox()->toolTip();
+  QCOMPARE(tips, QStringList({heading(WeightColumn::kLength), heading(WeightColumn::kAngle),
+                              heading(WeightColumn::kMass), heading(WeightColumn::kRadius),
+                              heading(WeightColumn::kDragCoefficient)}));
 }
 
 void FormsTest::methodAndStepOfARunChange() {

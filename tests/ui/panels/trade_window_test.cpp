@@ -13,12 +13,14 @@
 #include <QTest>
 
 #include "tests/support/file_content.h"
+#include "tests/support/settle.h"
 #include "ui/chart/trade_view.h"
 #include "ui/chart/work_precision_plot.h"
 #include "ui/control/commands.h"
 #include "ui/control/run_controller.h"
 #include "ui/control/scene_editor.h"
 #include "ui/control/scene_files.h"
+#include "ui/control/translations.h"
 #include "ui/main_window.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/measurement_table.h"
@@ -68,8 +70,10 @@ class TradeWindowTest : public QObject {
 
  private slots:
   void initTestCase();
+  void cleanup();
   void isOpenedFromTheMenuOnceForAll();
   void measuresInTheBackgroundAndSaysWhatItFound();
+  void showsFirstColumnsWholeInEveryLanguage();
   void aRowOpensAsARun();
   void aPointOpensAsARun();
   void takesThePlaceOfTheLastRunWhereNoMoreFit();
@@ -87,6 +91,11 @@ class TradeWindowTest : public QObject {
 void TradeWindowTest::initTestCase() {
   QLocale::setDefault(QLocale::c());
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+}
+
+void TradeWindowTest::cleanup() {
+  QSettings("angrycuts", "angrycuts").clear();
+  ui::speak(ui::Language::kEnglish);
 }
 
 void TradeWindowTest::isOpenedFromTheMenuOnceForAll() {
@@ -115,6 +124,23 @@ void TradeWindowTest::measuresInTheBackgroundAndSaysWhatItFound() {
   std::size_t points = 0;
   for (const auto& curve : panel->measurement()->curves) points += curve.points.size();
   QCOMPARE(panel->findChild<ui::MeasurementTable*>()->rowCount(), static_cast<int>(points));
+}
+
+void TradeWindowTest::showsFirstColumnsWholeInEveryLanguage() {
+  Opened opened;
+  for (int language = 1; language < ui::kLanguageCount; ++language) {
+    opened.window.speak(static_cast<ui::Language>(language));
+    auto* trade = opened.window.findChild<TradeWindow*>("trade");
+    trade->resize(1216, 686);  // as on 1280 × 720
+    ui::AccuracyPanel* panel = trade->accuracy();
+    panel->measure(0.5);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->measurement(), kPatience);
+    tests::settle();
+    const auto* table = panel->findChild<ui::MeasurementTable*>();
+    const int end = table->columnViewportPosition(4) + table->columnWidth(4);
+    QVERIFY2(end <= table->viewport()->width(), qPrintable(table->horizontalHeaderItem(4)->text()));
+    QVERIFY(table->width() < trade->width() / 2);
+  }
 }
 
 void TradeWindowTest::aRowOpensAsARun() {
