@@ -160,7 +160,6 @@ std::unique_ptr<QTextDocument> helpDocument(const QString& markdown, CodeMeans c
   auto document = std::make_unique<QTextDocument>();
   document->setUndoRedoEnabled(false);
   document->setDefaultFont(look.font);
-  if (look.width) document->setTextWidth(*look.width);
   new InlineDrawings(document.get(), look.text);
   Marker marker(code);
   document->setMarkdown(marker.mark(markdown), QTextDocument::MarkdownDialectGitHub);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include <QColor>
 #include <QFont>
@@ -18,9 +17,6 @@ struct PageLook {
   QColor text;
   QColor faint;          ///< lines of tables
   bool isPaper = false;  ///< set closer
-  /// Of the page [px], for the window that will show it: else it is laid out as wide as it likes
-  /// first, and the window has a scroll bar for a moment.
-  std::optional<double> width = {};
 
   /// As the window's.
   static PageLook of(const QPalette& palette, const QFont& font);

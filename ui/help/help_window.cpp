@@ -131,12 +131,13 @@ HelpWindow::Chapter HelpWindow::chapter() const {
 }
 
 void HelpWindow::showChapter() {
-  showText();
-  listContents();
+  std::unique_ptr<QTextDocument> text = textOnScreen();
+  listContents(*text);
+  showText(std::move(text));
 }
 
 /// Of the sheets: the lessons; else the headings of the text.
-void HelpWindow::listContents() {
+void HelpWindow::listContents(const QTextDocument& text) {
   const QSignalBlocker quiet(m_contents);
   m_contents->clear();
   if (chapter() == Chapter::kSheets) {
@@ -146,7 +147,7 @@ void HelpWindow::listContents() {
       if (lesson.name == m_lesson) m_contents->setCurrentItem(item);
     }
   } else {
-    for (QTextBlock block = m_page->document()->begin(); block.isValid(); block = block.next()) {
+    for (QTextBlock block = text.begin(); block.isValid(); block = block.next()) {
       if (!isHeading(block)) continue;
       auto* item = new QListWidgetItem(block.text(), m_contents);
       item->setData(Qt::UserRole, block.position());
@@ -157,27 +158,34 @@ void HelpWindow::listContents() {
   m_contents->setFixedWidth(std::min(wanted, static_cast<int>(width() * kContentsShare)));
 }
 
-void HelpWindow::showText() {
-  PageLook look = PageLook::of(m_page->palette(), font());
-  look.width = m_page->viewport()->width();
-  std::unique_ptr<QTextDocument> document;
+std::unique_ptr<QTextDocument> HelpWindow::textOnScreen() const {
+  return text(PageLook::of(m_page->palette(), font()));
+}
+
+/// What is open, in that look.
+std::unique_ptr<QTextDocument> HelpWindow::text(const PageLook& look) const {
   switch (chapter()) {
     case Chapter::kGuide:
-      document = helpDocument(longText("help", "guide"), CodeMeans::kKeys, look);
-      break;
+      return helpDocument(longText("help", "guide"), CodeMeans::kKeys, look);
     case Chapter::kModel:
-      document = helpDocument(longText("help", "model"), CodeMeans::kMath, look);
-      break;
+      return helpDocument(longText("help", "model"), CodeMeans::kMath, look);
     case Chapter::kSheets:
-      document = helpDocument(longText("lessons", m_lesson), CodeMeans::kKeys, look);
       break;
   }
-  document->setDocumentMargin(kPageMargin);
-  document->setParent(m_page);
+  return helpDocument(longText("lessons", m_lesson), CodeMeans::kKeys, look);
+}
+
+void HelpWindow::showText(std::unique_ptr<QTextDocument> text) {
+  text->setDocumentMargin(kPageMargin);
+  text->setParent(m_page);
+  // Laid out as wide as the page will be: else a scroll bar for what was wider may stay.
+  layout()->activate();
+  text->setTextWidth(m_page->viewport()->width());
+  text->documentLayout()->documentSize();
   // The browser deletes its own first one itself.
   const QTextDocument* before = m_page->document();
   const bool isOurs = before->parent() == m_page;
-  m_page->setDocument(document.release());
+  m_page->setDocument(text.release());
   if (isOurs) delete before;
   m_page->moveCursor(QTextCursor::Start);
 }
@@ -187,8 +195,7 @@ void HelpWindow::goTo(int row) {
   if (!item) return;
   if (chapter() == Chapter::kSheets) {
     m_lesson = item->data(Qt::UserRole).toString();
-    showText();
-    return;
+    return showText(textOnScreen());
   }
   const QTextBlock block = m_page->document()->findBlock(item->data(Qt::UserRole).toInt());
   const QRectF place = m_page->document()->documentLayout()->blockBoundingRect(block);
@@ -196,15 +203,7 @@ void HelpWindow::goTo(int row) {
 }
 
 std::unique_ptr<QTextDocument> HelpWindow::pagesForPaper() const {
-  switch (chapter()) {
-    case Chapter::kGuide:
-      return helpDocument(longText("help", "guide"), CodeMeans::kKeys, PageLook::onPaper());
-    case Chapter::kModel:
-      return helpDocument(longText("help", "model"), CodeMeans::kMath, PageLook::onPaper());
-    case Chapter::kSheets:
-      break;
-  }
-  return helpDocument(longText("lessons", m_lesson), CodeMeans::kKeys, PageLook::onPaper());
+  return text(PageLook::onPaper());
 }
 
 QString HelpWindow::title() const {
@@ -235,8 +234,7 @@ void HelpWindow::changeEvent(QEvent* event) {
   if (!looksChanged) return;
   const int scrolled = m_page->verticalScrollBar()->value();
   const int row = m_contents->currentRow();
-  showText();
-  listContents();
+  showChapter();
   const QSignalBlocker quiet(m_contents);
   m_contents->setCurrentRow(row);
   m_page->verticalScrollBar()->setValue(scrolled);

@@ -13,6 +13,8 @@ class QTextDocument;
 
 namespace ui {
 
+struct PageLook;
+
 /// A book of three chapters beside the main window, which stays usable: a quick guide, the model
 /// with its equations, and the teacher's sheets. What is open can be printed, black on white.
 class HelpWindow : public QDialog {
@@ -56,8 +58,10 @@ class HelpWindow : public QDialog {
   Chapter chapter() const;
   QWidget* buttons();
   void showChapter();
-  void listContents();
-  void showText();
+  void listContents(const QTextDocument& text);
+  std::unique_ptr<QTextDocument> text(const PageLook& look) const;
+  std::unique_ptr<QTextDocument> textOnScreen() const;
+  void showText(std::unique_ptr<QTextDocument> text);
   void goTo(int row);
   QString title() const;
   void print();
