@@ -67,6 +67,9 @@ void LongStepsTest::neverLeadThroughAWall_data() {
   QTest::addColumn<int>("weights");
   // Polishing moves the moment at which a rope goes taut to after that at the floor.
   QTest::newRow("taut after the floor") << QByteArray("semi-implicit-euler") << 1728 << 1;
+  // The method's own steps to moments inside lead elsewhere than its path.
+  QTest::newRow("a step beside the path") << QByteArray("rk4") << 1735 << 8;
+  QTest::newRow("a turning point outside") << QByteArray("rk4") << 5410 << 11;
 }
 
 void LongStepsTest::neverLeadThroughAWall() {
