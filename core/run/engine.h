@@ -42,6 +42,7 @@ class Engine {
   std::int64_t evaluations() const { return m_stepper.evaluations(); }
   double startEnergy() const { return m_startEnergy; }
   std::span<const Event> stepEvents() const { return m_events; }
+  std::span<const Event> pendingEvents() const { return m_now.pending; }
 
   RunStatus advance();
   bool tryAdvance(const Run::StepProgress& progress);

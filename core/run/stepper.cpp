@@ -71,7 +71,7 @@ void Stepper::fillSettled(const Body& body, Piece& piece) {
 Entries Stepper::partial(const Body& body, const Piece& piece, double s) {
   if (s <= piece.begin) return piece.beginState;
   if (piece.settled || m_method->path == PathShape::kPolynomial) return piece.at(s);
-  const Entries own = step(body, piece, s - piece.begin);
+  Entries own = step(body, piece, s - piece.begin);
   if (m_method->path == PathShape::kStraight || m_method->path == PathShape::kParabola) return own;
   const Entries path = piece.at(s);
   const double length = isTethered(piece.mode) ? body.length : 1;
