@@ -59,7 +59,7 @@ class Demonstration {
     const QString pictureError = writePicture();
     if (!pictureError.isEmpty()) return failure(kFailed, kPictureFile + ": " + pictureError);
     simulateUntil(kUntil);
-    if (!m_tables.finish()) return failure(kFailed, m_tables.error());
+    if (!m_tables.finish(m_runs.front())) return failure(kFailed, m_tables.error());
     const QString chartError = writeChart();
     if (!chartError.isEmpty()) return failure(kFailed, kChartFile + ": " + chartError);
     return printed(summary());

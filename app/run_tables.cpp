@@ -21,7 +21,7 @@ bool RunTables::record(const core::Run& run) {
     recordRow(run, m_clock.moment());
     if (!m_trajectory.flush() || !m_energy.flush()) return false;
   }
-  recordEvents(run);
+  recordEvents(run.stepEvents());
   return m_events.flush();
 }
 
@@ -36,14 +36,16 @@ void RunTables::recordRow(const core::Run& run, double time) {
   }
 }
 
-void RunTables::recordEvents(const core::Run& run) {
+void RunTables::recordEvents(std::span<const core::Event> events) {
   if (!m_events.isWanted()) return;
-  for (const core::Event& event : run.stepEvents()) {
+  for (const core::Event& event : events) {
     if (event.time <= m_until) core::appendEventRow(m_events.rows(), event);
   }
 }
 
-bool RunTables::finish() {
+bool RunTables::finish(const core::Run& run) {
+  // What happens at the very end belongs to it, though no step follows.
+  recordEvents(run.pendingEvents());
   return m_trajectory.finish() && m_energy.finish() && m_events.finish();
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <span>
+
 #include <QString>
 
 #include "app/csv_output.h"
 #include "app/options.h"
 #include "app/sample_clock.h"
+#include "core/run/event.h"
 
 namespace core {
 class Run;
@@ -21,14 +24,15 @@ class RunTables {
   bool open();
   /// Call once before the first step and once after each.
   bool record(const core::Run& run);
-  bool finish();
+  /// @param run  at its end
+  bool finish(const core::Run& run);
 
   /// One line that names the file; empty if nothing failed.
   QString error() const;
 
  private:
   void recordRow(const core::Run& run, double time);
-  void recordEvents(const core::Run& run);
+  void recordEvents(std::span<const core::Event> events);
 
   double m_until;
   SampleClock m_clock;

@@ -36,7 +36,7 @@ class Simulation {
   ExitStatus run() {
     if (!m_tables.open()) return failure(kFailed, m_tables.error());
     if (!chartCanBeWritten()) return kFailed;
-    if (!simulate() || !m_tables.finish()) return failure(kFailed, m_tables.error());
+    if (!simulate() || !m_tables.finish(m_run)) return failure(kFailed, m_tables.error());
     const ExitStatus shown = showResult();
     return shown == kSuccess ? outcome() : shown;
   }

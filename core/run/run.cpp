@@ -86,6 +86,9 @@ Energies Run::energiesAt(double time) const {
 double Run::startEnergy() const {
   return m_engine->startEnergy();
 }
+std::span<const Event> Run::pendingEvents() const {
+  return m_engine->pendingEvents();
+}
 std::span<const Event> Run::stepEvents() const {
   return m_engine->stepEvents();
 }

@@ -99,6 +99,9 @@ class Run {
 
   /// What happened in the latest step, in time order; cuts by hand before it included.
   std::span<const Event> stepEvents() const;
+  /// What has been done by hand since, or a cut at t = 0: stepEvents() of the coming step will
+  /// begin with it.
+  std::span<const Event> pendingEvents() const;
 
   /// The latest step of one weight, opened up: its parts in time order, one unless events
   /// divide it. None when no step was taken, or the run was just restored.

@@ -128,6 +128,10 @@ void SimulateCommandTest::emptiesTheRopesColumnsOnceCut() {
 
   const CsvTable events = csvTableIn(rowsOf({m_hanging, "--until", "0.25", "--events", "-"}));
   QCOMPARE(events.rows, (QList<QByteArrayList>{{"0.25", "cut", "", "", "", "", "0"}}));
+
+  const QStringList atTheStart{m_hanging, "--cut", "0", "--until", "0", "--events", "-"};
+  QCOMPARE(csvTableIn(rowsOf(atTheStart)).rows,
+           (QList<QByteArrayList>{{"0", "cut", "", "", "", "", "0"}}));
 }
 
 void SimulateCommandTest::rowsStandAtMultiplesOfTheSample_data() {
