@@ -32,7 +32,7 @@ Engine::Engine(std::shared_ptr<const Scene> scene, Solver solver)
       m_batch(m_stepper.method(), m_scene->gravity),
       m_adaptiveStepper(m_stepper, m_solver.tolerance),
       m_tolerance(toleranceFor(*m_scene)),
-      m_foresight(*m_scene, m_tolerance, closenessFor(m_solver.tolerance)) {
+      m_foresight(*m_scene, method().path, m_tolerance, closenessFor(m_solver.tolerance)) {
   m_now.weights.reserve(m_bodies.size());
   for (std::size_t i = 0; i < m_bodies.size(); ++i)
     m_now.weights.push_back(startRecord(m_scene->weights[i], m_bodies[i]));
@@ -175,7 +175,7 @@ void Engine::scheduleOwn(int index) {
     case Mode::kSwing:
       if (const auto moment = m_foresight.slack(body, piece))
         push(*moment, index, -1, Upcoming::Kind::kSlack);
-      return scheduleTurningPoint(index, piece.begin);
+      return scheduleTurningPoint(index, std::nullopt);
     case Mode::kSlide:
       if (const auto moment = m_foresight.stop(piece))
         push(*moment, index, -1, Upcoming::Kind::kStop);
@@ -192,8 +192,8 @@ void Engine::scheduleOwn(int index) {
     push(*moment, index, -1, Upcoming::Kind::kTaut);
 }
 
-void Engine::scheduleTurningPoint(int index, double from) {
-  if (const auto moment = m_foresight.turningPoint(m_moving[index].piece, from))
+void Engine::scheduleTurningPoint(int index, std::optional<double> before) {
+  if (const auto moment = m_foresight.turningPoint(m_moving[index].piece, before))
     push(*moment, index, -1, Upcoming::Kind::kTurningPoint);
 }
 
@@ -218,11 +218,24 @@ bool Engine::isCurrent(const Upcoming& event) const {
   return event.other < 0 || m_moving[event.other].stamp == event.otherStamp;
 }
 
+void Engine::dropStale() {
+  while (!m_queue.isEmpty() && !isCurrent(m_queue.first())) m_queue.pop();
+}
+
+bool Engine::mustWait(const Upcoming& event, double s) {
+  dropStale();
+  if (m_queue.isEmpty() || m_queue.first().time >= s) return false;
+  Upcoming later = event;
+  later.time = s;
+  later.polished = true;
+  m_queue.push(later);
+  return true;
+}
+
 bool Engine::processEvents() {
   std::int64_t count = 0;
-  while (!m_queue.isEmpty()) {
+  for (dropStale(); !m_queue.isEmpty(); dropStale()) {
     const Upcoming event = m_queue.pop();
-    if (!isCurrent(event)) continue;
     if (!mayGoOn(event.time)) return false;
     const bool isOwnStep = event.kind == Upcoming::Kind::kOwnStep;
     if (!isOwnStep && ++count > kMostEventsPerStep) return false;

@@ -89,6 +89,9 @@ class Engine {
   /// Whether to go on with the step, which has come to s.
   bool mayGoOn(double s);
   bool isCurrent(const Upcoming& event) const;
+  void dropStale();
+  /// Puts an event back that polishing moved to s, if others come first now.
+  bool mustWait(const Upcoming& event, double s);
 
   // Pieces (engine_pieces.cpp).
   void fillTogether();
@@ -101,7 +104,7 @@ class Engine {
   // Foreseeing.
   void schedule(int index);
   void scheduleOwn(int index);
-  void scheduleTurningPoint(int index, double from);
+  void scheduleTurningPoint(int index, std::optional<double> before);
   void scheduleMeeting(int a, int b);
   void push(double time, int weight, int other, Upcoming::Kind kind, bool pressing = false);
 
@@ -131,12 +134,12 @@ class Engine {
             bool settled);
   void goOn(int index, double s, const Entries& before, Mode mode, const Entries& after);
 
-  /// Moves a foreseen moment to where `value` of the method's own partial step is zero.
+  /// Moves a foreseen event's moment to where `value` of the method's own partial step is zero.
   /// @param rate  d(value)/ds near there
   /// @return      nothing if the secant iteration does not settle: the path then decides
   template <class Value>
-  std::optional<double> polished(double s, double low, double high, double rate, double tolerance,
-                                 const Value& value);
+  std::optional<double> polished(const Upcoming& event, double low, double high, double rate,
+                                 double tolerance, const Value& value);
 
   /// How large a gap that counts as closed may be [m].
   double polishTolerance() const { return m_tolerance.gap / 4; }
@@ -224,20 +227,28 @@ class Engine {
 };
 
 template <class Value>
-std::optional<double> Engine::polished(double s, double low, double high, double rate,
+std::optional<double> Engine::polished(const Upcoming& event, double low, double high, double rate,
                                        double tolerance, const Value& value) {
+  const double s = event.time;
+  if (event.polished) return s;
+  // A root much nearer to the start of the path is the one it sets out from.
+  const double earliest = 0.5 * (low + s);
   const double wanted = std::min(tolerance, finestGap());
   double previous = s, previousValue = value(s);
   if (std::abs(previousValue) <= wanted) return s;
-  std::optional<double> close;  // the latest guess within the tolerance
+  std::optional<double> close;  // the latest guess within the tolerance, or the best if that is 0
+  double closest = tolerance > 0 ? tolerance : std::abs(previousValue);
   if (std::abs(previousValue) <= tolerance) close = s;
-  double guess = std::clamp(s - previousValue / rate, low, high);
+  double guess = std::clamp(s - previousValue / rate, earliest, high);
   for (int i = 0; i < 10; ++i) {
     const double here = value(guess);
     if (std::abs(here) <= wanted) return guess;
-    if (std::abs(here) <= tolerance) close = guess;
+    if (std::abs(here) <= closest) {
+      close = guess;
+      if (tolerance == 0) closest = std::abs(here);
+    }
     const double next = guess - here * (guess - previous) / (here - previousValue);
-    if (!(low <= next && next <= high)) return close;
+    if (!(earliest <= next && next <= high)) return close;
     if (std::abs(next - guess) <= 1e-15 * high) return next;
     previous = guess;
     previousValue = here;

@@ -93,9 +93,10 @@ void Engine::passTurningPoint(const Upcoming& event) {
   const Body& body = m_bodies[i];
   const Piece piece = m_moving[i].piece;
   const double s =
-      polished(event.time, piece.begin, piece.end, piece.rateAt(event.time)[2], 0, [&](double at) {
+      polished(event, piece.begin, piece.end, piece.rateAt(event.time)[2], 0, [&](double at) {
         return m_stepper.partial(body, piece, at)[2];
       }).value_or(event.time);
+  if (mustWait(event, s)) return;
   Entries before = m_stepper.partial(body, piece, s);
   before[2] = 0;
   const WeightState there = readOut(i, piece.mode, piece.tied, before);
@@ -112,9 +113,10 @@ void Engine::passApex(const Upcoming& event) {
   const int i = event.weight;
   const Piece piece = m_moving[i].piece;
   const double s =
-      polished(event.time, piece.begin, piece.end, piece.rateAt(event.time)[3], 0, [&](double at) {
+      polished(event, piece.begin, piece.end, piece.rateAt(event.time)[3], 0, [&](double at) {
         return m_stepper.partial(m_bodies[i], piece, at)[3];
       }).value_or(event.time);
+  if (mustWait(event, s)) return;
   Entries before = m_stepper.partial(m_bodies[i], piece, s);
   before[3] = 0;
   goOn(i, s, before, piece.mode, before);
@@ -132,8 +134,9 @@ void Engine::goSlack(const Upcoming& event) {
     const Entries state = piece.at(s), slope = piece.rateAt(s);
     const double rate =
         -m_scene->gravity * std::sin(state[0]) * slope[0] + 2 * body.length * state[2] * slope[2];
-    s = polished(s, piece.begin, piece.end, rate, 0, tension).value_or(s);
+    s = polished(event, piece.begin, piece.end, rate, 0, tension).value_or(s);
   }
+  if (mustWait(event, s)) return;
   const Entries before = m_stepper.partial(body, piece, s);
   const WeightState there = readOut(i, piece.mode, piece.tied, before);
   log(EventKind::kSlack, s, i, there, there, 0);
@@ -144,9 +147,10 @@ void Engine::stopSliding(const Upcoming& event) {
   const int i = event.weight;
   const Piece piece = m_moving[i].piece;
   const double s =
-      polished(event.time, piece.begin, piece.end, piece.rateAt(event.time)[2], 0, [&](double at) {
+      polished(event, piece.begin, piece.end, piece.rateAt(event.time)[2], 0, [&](double at) {
         return m_stepper.partial(m_bodies[i], piece, at)[2];
       }).value_or(event.time);
+  if (mustWait(event, s)) return;
   Entries before = m_stepper.partial(m_bodies[i], piece, s);
   before[2] = 0;
   goOn(i, s, before, Mode::kSlide, before);

@@ -59,10 +59,11 @@ void Engine::hitWall(const Upcoming& event) {
     moving.segment<2>(2) = piece.rateAt(s).segment<2>(0);
     if (isTethered(piece.mode)) moving[2] = piece.rateAt(s)[0];
     const double rate = side.inward * velocityOf(body, piece.mode, moving)[side.axis];
-    const auto exact = polished(s, piece.begin, piece.end, rate, polishTolerance(),
+    const auto exact = polished(event, piece.begin, piece.end, rate, polishTolerance(),
                                 [&](double at) { return gap(m_stepper.partial(body, piece, at)); });
     if (exact) {
       s = *exact;
+      if (mustWait(event, s)) return;
       before = m_stepper.partial(body, piece, s);
     }
   }
@@ -184,9 +185,10 @@ void Engine::meet(const Upcoming& event) {
     const Eigen::Vector2d normal = apart(beforeA, beforeB).normalized();
     const double rate = (rateOf(b, s) - rateOf(a, s)).dot(normal);
     const auto exact =
-        polished(s, low, std::min(pieceA.end, pieceB.end), rate, polishTolerance(), gap);
-    if (exact) s = *exact;
+        polished(event, low, std::min(pieceA.end, pieceB.end), rate, polishTolerance(), gap);
     if (exact) {
+      s = *exact;
+      if (mustWait(event, s)) return;
       beforeA = m_stepper.partial(m_bodies[a], pieceA, s);
       beforeB = m_stepper.partial(m_bodies[b], pieceB, s);
     }

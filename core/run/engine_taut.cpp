@@ -86,10 +86,11 @@ void Engine::goTaut(const Upcoming& event) {
   if (s > piece.begin) {
     const Eigen::Vector2d out = positionOf(body, piece.mode, before) - body.pivot;
     const Eigen::Vector2d rate = piece.rateAt(s).head<2>().transpose();
-    const auto exact =
-        polished(s, piece.begin, piece.end, -rate.dot(out) / out.norm(), polishTolerance(), spare);
+    const auto exact = polished(event, piece.begin, piece.end, -rate.dot(out) / out.norm(),
+                                polishTolerance(), spare);
     if (exact) {
       s = *exact;
+      if (mustWait(event, s)) return;
       before = m_stepper.partial(body, piece, s);
     }
   }

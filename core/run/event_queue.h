@@ -32,6 +32,7 @@ struct Upcoming {
   bool pressing;             ///< see Contact
   std::uint32_t stamp;       ///< of the weight's piece when this was foreseen
   std::uint32_t otherStamp;  ///< of the second weight's
+  bool polished = false;     ///< the time is the method's own, not only its path's
 
   auto order() const { return std::tuple(time, weight, other, kind); }
 };
@@ -45,6 +46,8 @@ class EventQueue {
     std::ranges::push_heap(m_heap, isLater);
   }
   bool isEmpty() const { return m_heap.empty(); }
+  /// @pre not isEmpty()
+  const Upcoming& first() const { return m_heap.front(); }
   /// Keeps the memory for the next step.
   void clear() { m_heap.clear(); }
 

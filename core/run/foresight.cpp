@@ -13,6 +13,8 @@ constexpr double kArc = 0.12;
 // A flight with less sideways speed than this share of its change of vertical speed counts
 // as straight up.
 constexpr double kSteep = 0.05;
+// What rounding leaves of sums that cancel, as a share of what is added up.
+constexpr double kRounding = 1e-12;
 // An entry that may be zero, until they are this close in shares of its size.
 constexpr double kCloseShare = 1e-6;
 
@@ -140,11 +142,11 @@ std::optional<Foresight::WallMoment> Foresight::wallBetween(const Body& body, co
   return first;
 }
 
-std::optional<double> Foresight::turningPoint(const Piece& piece, double from) const {
+std::optional<double> Foresight::turningPoint(const Piece& piece,
+                                              std::optional<double> before) const {
+  const double from = before.value_or(piece.begin);
   if (piece.mode != Mode::kSwing || from >= piece.end) return std::nullopt;
-  if (from <= piece.begin) return signChangeWithin(piece, 2, piece.begin, piece.end);
-  constexpr bool kIsTurningPoint = true;  // the one before
-  return signChangeWithin(piece, 2, from, piece.end, kIsTurningPoint);
+  return signChangeWithin(piece, 2, from, piece.end, before.has_value());
 }
 
 std::optional<double> Foresight::apex(const Piece& piece) const {
@@ -184,7 +186,11 @@ std::optional<double> Foresight::slackBetween(const Body& body, const Piece& pie
   };
   const Entries begin = piece.at(from), end = piece.at(to);
   const double third = (to - from) / 3;
-  const double first = tension(body, begin), last = tension(body, end);
+  // A rope that has just gone taut without a pull: the rate decides. What counts as no pull here
+  // counts so for taut() by all means, or a rope could go slack and taut without end.
+  const double rounding = 0.5 * kRounding * (m_gravity + body.length * begin[2] * begin[2]);
+  const bool isZero = from <= piece.begin && std::abs(tension(body, begin)) <= rounding;
+  const double first = isZero ? 0 : tension(body, begin), last = tension(body, end);
   return momentOf(
       fallBelowZero({first, first + third * rate(from, begin), last - third * rate(to, end), last}),
       from, to);
@@ -195,11 +201,14 @@ std::optional<double> Foresight::taut(const Body& body, const Piece& piece) cons
   const Eigen::Vector2d out = positionOf(body, piece.mode, piece.beginState) - body.pivot;
   const Eigen::Vector2d radial = out.normalized();
   const Eigen::Vector2d velocity = velocityOf(body, piece.mode, piece.beginState);
-  const Eigen::Vector2d acceleration = piece.beginSlope.segment<2>(2).transpose();
+  Eigen::Vector2d acceleration = piece.beginSlope.segment<2>(2).transpose();
+  // That method's places fall twice as fast within a step: v s + a s².
+  if (m_shape == PathShape::kParabola) acceleration *= 2;
   const double around = velocity.x() * radial.y() - velocity.y() * radial.x();
-  const double outward = around * around / body.length + acceleration.dot(radial);
+  const double centripetal = around * around / body.length;
+  const double outward = centripetal + acceleration.dot(radial);
   // Where the tension falls to zero the two cancel, up to rounding.
-  const double rounding = 1e-12 * (acceleration.norm() + std::abs(outward));
+  const double rounding = kRounding * (m_gravity + acceleration.norm() + centripetal);
   const bool pulled = outward > rounding;
   // A straight path cannot follow a circle it starts along: Euler's own error takes it
   // outside by the sagitta of what it moves in a step or two, and gravity bends it back.

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/contact/first_contact.h"
+#include "core/methods/method.h"
 #include "core/run/event_queue.h"
 #include "core/run/piece.h"
 #include "core/scene/scene.h"
@@ -22,10 +23,13 @@ class Foresight {
     Upcoming::Kind wall;
   };
 
+  /// @param shape      of the method's paths
   /// @param closeness  paths that are no cubics are cut until cubics are this close [m]
-  Foresight(const Scene& scene, const ContactTolerance& tolerance, double closeness)
+  Foresight(const Scene& scene, PathShape shape, const ContactTolerance& tolerance,
+            double closeness)
       : m_room(scene.room),
         m_gravity(scene.gravity),
+        m_shape(shape),
         m_tolerance(tolerance),
         m_closeness(closeness) {}
 
@@ -37,8 +41,9 @@ class Foresight {
   /// @param box  boxOf() the whole piece
   std::optional<WallMoment> wall(const Body& body, const Piece& piece, const Box& box) const;
 
-  /// First moment after `from` where the rope's angular velocity passes zero.
-  std::optional<double> turningPoint(const Piece& piece, double from) const;
+  /// First moment where the rope's angular velocity passes zero, after the one before if the
+  /// piece holds one.
+  std::optional<double> turningPoint(const Piece& piece, std::optional<double> before) const;
 
   /// Moment where the speed of a flight straight up passes zero; nothing for flights that
   /// keep moving sideways.
@@ -72,6 +77,7 @@ class Foresight {
 
   Room m_room;
   double m_gravity;
+  PathShape m_shape;
   ContactTolerance m_tolerance;
   double m_closeness;
 };

@@ -7,6 +7,10 @@
 namespace core {
 namespace {
 
+// A step that ends further than this from the path to the end of a longer one [m]: that one is too
+// long for either to tell where the weight goes, but along the path nothing stands.
+constexpr double kAstray = 2e-7;
+
 bool isStill(Mode mode, const Entries& state) {
   return mode == Mode::kHeld || (mode == Mode::kSlide && state[2] == 0);
 }
@@ -67,7 +71,11 @@ void Stepper::fillSettled(const Body& body, Piece& piece) {
 Entries Stepper::partial(const Body& body, const Piece& piece, double s) {
   if (s <= piece.begin) return piece.beginState;
   if (piece.settled || m_method->path == PathShape::kPolynomial) return piece.at(s);
-  return step(body, piece, s - piece.begin);
+  const Entries own = step(body, piece, s - piece.begin);
+  if (m_method->path == PathShape::kStraight || m_method->path == PathShape::kParabola) return own;
+  const Entries path = piece.at(s);
+  const double length = isTethered(piece.mode) ? body.length : 1;
+  return length * (own - path).abs().head<2>().maxCoeff() <= kAstray ? own : path;
 }
 
 std::vector<Stage> Stepper::stages(const Body& body, const Piece& piece) {

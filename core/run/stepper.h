@@ -36,7 +36,8 @@ class Stepper {
 
   /// The state after a step of the method from the piece's begin to s, which may lie
   /// anywhere in [begin, end]. Agrees with the path to the method's order, and is what
-  /// moments of events are polished with.
+  /// moments of events are polished with. Where the two do not agree, in a step far too long,
+  /// the state on the path: contacts were looked for there.
   Entries partial(const Body& body, const Piece& piece, double s);
 
   /// The states and slopes of the method's step from the piece's begin to its end, in the
