@@ -12,6 +12,8 @@ constexpr double kDeep = 1e-3;
 // So often weights may evade those that stand; then they stand as well.
 constexpr int kMostRounds = 50;
 
+constexpr double kRounding = 1e-12;  // of velocities, as a share
+
 constexpr double kNoNeed = std::numeric_limits<double>::infinity();  // to look for contacts
 
 }  // namespace
@@ -220,13 +222,19 @@ void Engine::Group::findSupport() {
   support.assign(members.size(), Support::kNone);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const RestingContact& contact = contacts[i];
-    if (contact.push == 0) continue;
+    if (contact.b >= 0 && isPushed(contact.b, contact.push)) support[contact.b] = Support::kOthers;
+    if (!isPushed(contact.a, contact.push)) continue;
     Support& of = support[contact.a];
     const bool onFloor = keys[i] == kFloor && std::abs(contact.gap) <= kTouchingGap &&
                          !m_engine.m_moving[members[contact.a]].piece.tied;
     of = onFloor && of == Support::kNone ? Support::kFloor : Support::kOthers;
-    if (contact.b >= 0) support[contact.b] = Support::kOthers;
   }
+}
+
+/// Whether a push changes a member's velocity by more than rounding does.
+bool Engine::Group::isPushed(int local, double push) const {
+  const double rounding = m_engine.m_tolerance.speed + kRounding * weights[local].velocity.norm();
+  return push > rounding * weights[local].mass;
 }
 
 }  // namespace core

@@ -86,6 +86,7 @@ class Engine::Group {
  private:
   double reachAt(double speed) const;
   bool isLetGo(int local) const;
+  bool isPushed(int local, double push) const;
   double excessAt(int contact) const;
   double kineticEnergy() const;
   void lookAt(int local, int other);
