@@ -338,7 +338,8 @@ void WeightsTableWindowTest::aHundredThousandRowsStayQuick() {
   scene.room.width = 400;
   core::Weight ball;
   for (int i = 0; i < core::kMostWeights; ++i) {
-    ball.position = {0.1 + 0.1 * (i % 3900), 0.1 + 0.1 * (i / 3900)};
+    const int row = i / 3900;
+    ball.position = {0.1 + 0.1 * (i % 3900), 0.1 + 0.1 * row};
     scene.weights.push_back(ball);
   }
   ui::SceneEditor editor(scene);
