@@ -30,6 +30,9 @@ using ui::LessonChooser;
 
 namespace {
 
+// All pictures, by one worker on a busy machine [ms].
+constexpr int kPatience = 60'000;
+
 core::Scene ownScene() {
   core::Scene scene = core::withWeightCount(core::Scene(), 1);
   scene.name = "Mine";
@@ -178,11 +181,11 @@ void LessonsWindowTest::drawsEveryPictureInTheColorsInForce() {
       if (picture(row).isNull() || picture(row).pixel(0, 0) != theme.background.rgb()) return false;
     return true;
   };
-  QTRY_VERIFY(allDrawn(ui::Theme::light()));
+  QTRY_VERIFY_WITH_TIMEOUT(allDrawn(ui::Theme::light()), kPatience);
   QApplication::setPalette(ui::paletteOf(ui::Theme::darkTheme()));
-  QTRY_VERIFY(allDrawn(ui::Theme::darkTheme()));
+  QTRY_VERIFY_WITH_TIMEOUT(allDrawn(ui::Theme::darkTheme()), kPatience);
   QApplication::setPalette(ui::paletteOf(ui::Theme::light()));
-  QTRY_VERIFY(allDrawn(ui::Theme::light()));
+  QTRY_VERIFY_WITH_TIMEOUT(allDrawn(ui::Theme::light()), kPatience);
   for (int row = 0; row < list->count(); ++row) {
     const QSize size = ui::LessonCard::pictureSize(list->gridSize().width());
     QCOMPARE(picture(row).size(), size * list->devicePixelRatioF());

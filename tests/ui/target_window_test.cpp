@@ -72,6 +72,8 @@ class TargetWindowTest : public QObject {
   void aKeyShowsAndHidesIt();
   void theMouseDragsItAlongTheFloor();
   void draggingAnEndChangesItsWidth();
+  void theCursorSaysWhatADragWouldDo();
+  void aDoubleClickOnItLeavesTheView();
   void besideItTheMouseMovesTheView();
   void staysInTheRoom();
   void saysWhenTheWeightHitIt();
@@ -123,6 +125,40 @@ void TargetWindowTest::draggingAnEndChangesItsWidth() {
   QCOMPARE(window.aim()->place().center, 1.5);
   window.hand.drag(window.pixelOf(1), window.pixelOf(1.4));
   QVERIFY(std::abs(window.aim()->place().width - 0.2) <= 6 * window.hand.grain());
+}
+
+void TargetWindowTest::theCursorSaysWhatADragWouldDo() {
+  Window window;
+  window.press(Qt::Key_G);
+  window.aim()->setPlace({1.5, 0.6});
+  const auto shapeAt = [&](QPoint pixel) {
+    QTest::mouseMove(window.view(), pixel);
+    return window.view()->cursor().shape();
+  };
+  const QPoint beside = window.view()->rect().center();
+  const Qt::CursorShape usual = shapeAt(beside);
+  QCOMPARE(shapeAt(window.pixelOf(1.5)), Qt::OpenHandCursor);
+  QCOMPARE(shapeAt(window.pixelOf(1.2)), Qt::SizeHorCursor);
+  QCOMPARE(shapeAt(window.pixelOf(1.8)), Qt::SizeHorCursor);
+  QCOMPARE(shapeAt(beside), usual);
+  QVERIFY(usual != Qt::OpenHandCursor && usual != Qt::SizeHorCursor);
+}
+
+void TargetWindowTest::aDoubleClickOnItLeavesTheView() {
+  Window window;
+  window.press(Qt::Key_G);
+  const double whole = window.view()->camera().scale();
+  window.view()->zoomIn();
+  const QPoint middle = window.view()->rect().center();
+  window.hand.drag(middle, middle - QPoint(0, window.view()->height() / 4));
+  const ui::Camera before = window.view()->camera();
+  const QPoint target = window.pixelOf(window.aim()->place().center);
+  QVERIFY(window.view()->rect().contains(target));
+  QTest::mouseDClick(window.view(), Qt::LeftButton, {}, target);
+  QVERIFY(window.view()->camera() == before);
+  // Elsewhere it shows the whole room.
+  QTest::mouseDClick(window.view(), Qt::LeftButton, {}, middle);
+  QCOMPARE(window.view()->camera().scale(), whole);
 }
 
 void TargetWindowTest::besideItTheMouseMovesTheView() {

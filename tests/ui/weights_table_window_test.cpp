@@ -102,6 +102,7 @@ class WeightsTableWindowTest : public QObject {
   void aTypedValueGoesToAllSelectedRows();
   void aWrongValueIsRefusedInWords();
   void choosesWhatAWeightHangsOn();
+  void choosesAColor();
   void addsDuplicatesAndRemovesByKeyAndButton();
   void copiesToAndPastesFromTheClipboard();
   void aPasteWithAFaultChangesNothing();
@@ -201,6 +202,22 @@ void WeightsTableWindowTest::choosesWhatAWeightHangsOn() {
   QVERIFY(!open.weights()[0].rope);
   QVERIFY(!(open.cell(0, WeightColumn::kLength).flags() & Qt::ItemIsEditable));
   QVERIFY(open.cell(0, WeightColumn::kX).flags() & Qt::ItemIsEditable);
+}
+
+void WeightsTableWindowTest::choosesAColor() {
+  const TableWindow open(fiveWeights());
+  open.click(1, WeightColumn::kColor);
+  open.press(Qt::Key_Return);
+  auto* chooser = qobject_cast<QComboBox*>(QApplication::focusWidget());
+  QVERIFY(chooser);
+  QCOMPARE(chooser->count(), 9);  // by position in the list, or one of those that stay apart
+  QTest::keyClick(chooser, Qt::Key_Down);
+  const QString chosen = chooser->currentText();
+  QTest::keyClick(chooser, Qt::Key_Return);
+  QCoreApplication::processEvents();
+  QVERIFY(open.weights()[1].color);
+  QCOMPARE(open.cell(1, WeightColumn::kColor).data().toString(), chosen);
+  QVERIFY(!open.weights()[0].color);
 }
 
 void WeightsTableWindowTest::addsDuplicatesAndRemovesByKeyAndButton() {
@@ -321,7 +338,8 @@ void WeightsTableWindowTest::aHundredThousandRowsStayQuick() {
   scene.room.width = 400;
   core::Weight ball;
   for (int i = 0; i < core::kMostWeights; ++i) {
-    ball.position = {0.1 + 0.1 * (i % 3900), 0.1 + 0.1 * (i / 3900)};
+    const int row = i / 3900;
+    ball.position = {0.1 + 0.1 * (i % 3900), 0.1 + 0.1 * row};
     scene.weights.push_back(ball);
   }
   ui::SceneEditor editor(scene);

@@ -61,7 +61,7 @@ void SceneReader::checkFormat(const std::optional<std::string>& format) {
   const PlaceScope place(m_place, "format");
   if (!format) refuse(tr("is missing"));
   if (format != kSceneFormat) {
-    refuse(tr("must be %1, got %2").arg(quoted(kSceneFormat), quoted(*format)));
+    refuse(tr("must be %1, got %2").arg(ui::quoted(kSceneFormat), ui::quoted(*format)));
   }
 }
 
@@ -187,7 +187,7 @@ core::Solver SceneReader::readSolver() {
 std::string SceneReader::readMethod() {
   std::string method = readString();
   if (!core::findOfferedMethod(method)) {
-    refuse(tr("there is no method named %1").arg(quoted(method)));
+    refuse(tr("there is no method named %1").arg(ui::quoted(method)));
   }
   return method;
 }
@@ -196,7 +196,7 @@ core::Color SceneReader::readColor() {
   const std::string text = readString();
   static const QRegularExpression kPattern(QStringLiteral("\\A#[0-9A-Fa-f]{6}\\z"));
   if (!kPattern.match(QString::fromStdString(text)).hasMatch()) {
-    refuse(tr("must be like \"#e69f00\", got %1").arg(quoted(text)));
+    refuse(tr("must be like \"#e69f00\", got %1").arg(ui::quoted(text)));
   }
   const int rgb = std::stoi(text.substr(1), nullptr, 16);
   const auto part = [rgb](int shift) { return static_cast<std::uint8_t>(rgb >> shift); };

@@ -59,7 +59,7 @@ std::string_view StrictReader::readDigits() {
   expect(JsonKind::kNumber);
   const std::string_view digits = m_json.readNumber();
   if (!numberFromText(digits)) {
-    refuse(Words::tr("%1 is too large or too small to reckon with").arg(quoted(digits)));
+    refuse(Words::tr("%1 is too large or too small to reckon with").arg(ui::quoted(digits)));
   }
   return digits;
 }
@@ -90,7 +90,7 @@ void StrictReader::readObject(std::initializer_list<Member> members) {
   m_json.enter();
   while (const std::optional<std::string> key = m_json.nextKey()) {
     const auto member = std::ranges::find(members, *key, &Member::key);
-    if (member == members.end()) refuse(Words::tr("unknown key %1").arg(quoted(*key)));
+    if (member == members.end()) refuse(Words::tr("unknown key %1").arg(ui::quoted(*key)));
     const PlaceScope place(m_place, *key);
     const std::uint32_t bit = 1U << (member - members.begin());
     if (seen & bit) refuse(Words::tr("stands twice"));

@@ -16,9 +16,9 @@ namespace {
 
 /// Steps 1/4, 1/2, 1 s and lengths 1, 2 m; from top left: exact, poor, runaway; below: nothing,
 /// fair, diverged.
-std::shared_ptr<const core::StabilityMap> smallMap() {
-  core::StabilityMap map{
-      core::findMethod("euler"), core::MapQuantity::kRopeLength, 10, {0.25, 0.5, 1}, {1, 2}, {}};
+std::shared_ptr<const core::StabilityMap> smallMap(
+    core::MapQuantity quantity = core::MapQuantity::kRopeLength) {
+  core::StabilityMap map{core::findMethod("euler"), quantity, 10, {0.25, 0.5, 1}, {1, 2}, {}};
   map.cells = {std::nullopt,
                BoundednessTrial{Boundedness::kBounded, 0.05},
                BoundednessTrial{Boundedness::kDiverged, 7},
@@ -37,6 +37,7 @@ class StabilityPlotTest : public QObject {
   void initTestCase() { QLocale::setDefault(QLocale::c()); }
   void gradesByOutcomeAndDrift_data();
   void gradesByOutcomeAndDrift();
+  void paintsEachCellInItsColor_data();
   void paintsEachCellInItsColor();
   void worseIsDarker();
   void exportsInEveryKind();
@@ -60,10 +61,17 @@ void StabilityPlotTest::gradesByOutcomeAndDrift() {
   QCOMPARE(ui::gradeOf({outcome, drift}), grade);
 }
 
+void StabilityPlotTest::paintsEachCellInItsColor_data() {
+  QTest::addColumn<core::MapQuantity>("quantity");
+  QTest::newRow("rope length") << core::MapQuantity::kRopeLength;
+  QTest::newRow("air density") << core::MapQuantity::kAirDensity;
+}
+
 void StabilityPlotTest::paintsEachCellInItsColor() {
+  QFETCH(core::MapQuantity, quantity);
   ui::TradeView<ui::StabilityPlot> view;
   view.resize(900, 600);
-  view.plot()->setMap(smallMap());
+  view.plot()->setMap(smallMap(quantity));
   view.show();
   QVERIFY(QTest::qWaitForWindowExposed(&view));
   const QImage image = view.grab().toImage();

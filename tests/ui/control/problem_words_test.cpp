@@ -17,6 +17,7 @@ class ProblemWordsTest : public QObject {
   void cleanup() { ui::speak(ui::Language::kEnglish); }
   void saysWhatIsWrongAndWhere_data();
   void saysWhatIsWrongAndWhere();
+  void namesAMethodThatThereIsNot();
   void countsFurtherProblems();
   void namesEveryQuantityInEveryLanguage_data();
   void namesEveryQuantityInEveryLanguage();
@@ -62,6 +63,9 @@ void ProblemWordsTest::saysWhatIsWrongAndWhere_data() {
   QTest::newRow("tied outside") << Edit([](core::Scene& scene) {
     scene.weights[0].rope->pivot.x() = -1;
   }) << "The rope of weight 1 is tied outside the room.";
+  QTest::newRow("runs") << Edit([](core::Scene& scene) {
+    scene.solvers.assign(core::kMostSolvers + 1, {.method = "rk4"});
+  }) << "There are more than 4.";
 }
 
 void ProblemWordsTest::saysWhatIsWrongAndWhere() {
@@ -70,6 +74,13 @@ void ProblemWordsTest::saysWhatIsWrongAndWhere() {
   const std::vector<core::Problem> problems = core::problemsIn(edited(edit));
   QCOMPARE(problems.size(), std::size_t{1});
   QCOMPARE(ui::problemWords(problems.front()), words);
+}
+
+// Only a file can name one.
+void ProblemWordsTest::namesAMethodThatThereIsNot() {
+  const core::Problem problem{
+      "solvers[0].method", core::Problem::Kind::kUnknownMethod, 0, {}, -1, "guess"};
+  QCOMPARE(ui::problemWords(problem), QString("There is no method named guess."));
 }
 
 void ProblemWordsTest::countsFurtherProblems() {

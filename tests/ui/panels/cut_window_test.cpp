@@ -1,5 +1,7 @@
 #include "ui/panels/cut_window.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QChart>
 #include <QClipboard>
@@ -9,6 +11,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
@@ -29,6 +32,7 @@
 #include "ui/panels/cut_results.h"
 #include "ui/panels/hit_table.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/style/theme.h"
 #include "ui/view/scene_area.h"
 
 using tests::contentOf;
@@ -98,6 +102,7 @@ class CutWindowTest : public QObject {
   void aKeyOpensItAndItFindsTheMoments();
   void aClickOnAHitMakesPlayHitTheTarget();
   void aClickElsewhereCutsThen();
+  void thePointerReadsTheCurve();
   void aRowCutsAtItsMoment();
   void theCutCanBeUndone();
   void aMovedTargetIsAimedAtAnew();
@@ -160,6 +165,30 @@ void CutWindowTest::aClickElsewhereCutsThen() {
   QTest::mouseClick(opened.chart()->viewport(), Qt::LeftButton, {}, place);
   const double pixel = 1 / opened.chart()->plot()->toChart().m11();
   QVERIFY(std::abs(*opened.window.editor()->scene()->cutTime - between) <= pixel);
+}
+
+void CutWindowTest::thePointerReadsTheCurve() {
+  const Opened opened;
+  ui::CutSweepChart* chart = opened.chart();
+  const auto drawn = [&] { return chart->viewport()->grab().toImage(); };
+  const std::vector<core::Landing>& landings = opened.cuts->result()->landings;
+  const auto middle = landings.begin() + static_cast<std::ptrdiff_t>(landings.size() / 2);
+  const core::Landing& landing = *std::ranges::find(
+      middle, landings.end(), core::LandingOutcome::kLanded, &core::Landing::outcome);
+  const QPoint place = opened.pixelOf(landing.cutTime, landing.place);
+  const QImage before = drawn();
+  QMouseEvent move(QEvent::MouseMove, place, chart->viewport()->mapToGlobal(place), Qt::NoButton,
+                   Qt::NoButton, {});
+  QCoreApplication::sendEvent(chart->viewport(), &move);
+  QCOMPARE(chart->viewport()->cursor().shape(), Qt::PointingHandCursor);
+  // A dot on the curve, and words beside it.
+  const QImage reading = drawn();
+  QCOMPARE(reading.pixelColor(place), ui::Theme::of(chart->palette()).text);
+  const QRect beside(place + QPoint(12, -60), QSize(60, 120));
+  QVERIFY(reading.copy(beside) != before.copy(beside));
+  QEvent leave(QEvent::Leave);
+  QCoreApplication::sendEvent(chart, &leave);
+  QCOMPARE(drawn(), before);
 }
 
 void CutWindowTest::aRowCutsAtItsMoment() {

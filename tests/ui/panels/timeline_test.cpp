@@ -1,7 +1,9 @@
 #include "ui/panels/timeline.h"
 
+#include <QHelpEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 
 #include "core/scene/arrangement.h"
 #include "ui/control/event_navigator.h"
@@ -106,10 +108,14 @@ void TimelineTest::staysWithinTheRecord() {
 }
 
 void TimelineTest::tellsWhatLiesThere() {
-  const Recorded recorded;
+  Recorded recorded;
   QCOMPARE(recorded.timeline.wordsAt(recorded.at(1)), QString("1.000 s: Cut, weight: all"));
   const QString between = recorded.timeline.wordsAt(recorded.at(0.1));
   QVERIFY2(between.startsWith("0.10") || between.startsWith("0.09"), qPrintable(between));
+  const QPoint place = recorded.at(1);
+  QHelpEvent help(QEvent::ToolTip, place, recorded.timeline.mapToGlobal(place));
+  QCoreApplication::sendEvent(&recorded.timeline, &help);
+  QCOMPARE(QToolTip::text(), recorded.timeline.wordsAt(place));
 }
 
 void TimelineTest::drawsSignsWhereEventsAre() {
