@@ -17,7 +17,6 @@ class ProblemWordsTest : public QObject {
   void cleanup() { ui::speak(ui::Language::kEnglish); }
   void saysWhatIsWrongAndWhere_data();
   void saysWhatIsWrongAndWhere();
-  void namesAMethodThatThereIsNot();
   void countsFurtherProblems();
   void namesEveryQuantityInEveryLanguage_data();
   void namesEveryQuantityInEveryLanguage();
@@ -65,7 +64,7 @@ void ProblemWordsTest::saysWhatIsWrongAndWhere_data() {
   }) << "The rope of weight 1 is tied outside the room.";
   QTest::newRow("runs") << Edit([](core::Scene& scene) {
     scene.solvers.assign(core::kMostSolvers + 1, {.method = "rk4"});
-  }) << "There are more than 4.";
+  }) << "There are more than 4 runs.";
 }
 
 void ProblemWordsTest::saysWhatIsWrongAndWhere() {
@@ -77,12 +76,6 @@ void ProblemWordsTest::saysWhatIsWrongAndWhere() {
 }
 
 // Only a file can name one.
-void ProblemWordsTest::namesAMethodThatThereIsNot() {
-  const core::Problem problem{
-      "solvers[0].method", core::Problem::Kind::kUnknownMethod, 0, {}, -1, "guess"};
-  QCOMPARE(ui::problemWords(problem), QString("There is no method named guess."));
-}
-
 void ProblemWordsTest::countsFurtherProblems() {
   const core::Scene scene = edited([](core::Scene& draft) {
     draft.gravity = -1;
