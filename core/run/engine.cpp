@@ -95,7 +95,7 @@ bool Engine::mayGoOn(double s) {
 }
 
 void Engine::beginStep() {
-  m_before = m_now;
+  m_before = m_now.progress();
   if (m_progress) m_earlierEvents.swap(m_events);
   m_events = m_now.pending;
   m_now.pending.clear();
@@ -257,7 +257,7 @@ void Engine::finishStep() {
 }
 
 void Engine::abandonStep(RunStatus status) {
-  static_cast<Progress&>(m_now) = m_before;
+  m_now.progress() = m_before;
   m_stepper.setEvaluations(m_now.evaluations);
   m_moving.clear();
   m_events.clear();
@@ -321,7 +321,7 @@ EngineState Engine::state() const {
 
 void Engine::restore(const EngineState& state) {
   m_now = state;
-  m_before = state;
+  m_before = state.progress();
   m_stepper.setEvaluations(state.evaluations);
   m_status = RunStatus::kRunning;
   m_moving.clear();

@@ -47,6 +47,9 @@ struct Progress {
 
 /// Everything that decides how a run goes on, between two steps.
 struct EngineState : Progress {
+  Progress& progress() { return *this; }
+  const Progress& progress() const { return *this; }
+
   std::vector<WeightRecord> weights;
 };
 

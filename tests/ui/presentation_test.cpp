@@ -34,7 +34,6 @@
 #include "ui/panels/timeline.h"
 #include "ui/view/scene_area.h"
 
-using tests::kProjector;
 using ui::Command;
 
 namespace {

@@ -28,7 +28,6 @@
 using core::EventKind;
 using tests::isImpact;
 using ui::Command;
-using ui::MainWindow;
 
 namespace {
 

@@ -118,7 +118,7 @@ void ChartSizesTest::hasRoomForItsCurvesInALowWindow() {
   tests::settle();
   QVERIFY2(chart->plotArea().height() >= 0.4 * size.height(),
            qPrintable(QString::number(chart->plotArea().height())));
-  QVERIFY(chart->plotArea().width() >= size.width() / 3);
+  QVERIFY(3 * chart->plotArea().width() >= size.width());
   for (const QGraphicsItem* item : scene.items()) {
     const auto* text = qgraphicsitem_cast<const QGraphicsTextItem*>(item);
     if (text) QVERIFY2(!text->toPlainText().contains("..."), qPrintable(text->toPlainText()));
