@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/support/outcome.h"
+#include "tests/support/translated_languages.h"
 
 using tests::Outcome;
 using tests::outcomeOf;
@@ -53,13 +54,8 @@ QStringList expectedFiles() {
   return files;
 }
 
-/// Languages the window speaks, by their codes, English apart.
 QStringList translatedLanguages() {
-  QStringList codes;
-  for (const QString& file : QDir(ANGRYCUTS_TRANSLATIONS).entryList({"*.ts"}))
-    codes << file.section('_', 1).section('.', 0, 0);
-  codes.removeOne("en");
-  return codes;
+  return tests::translatedLanguages(QDir(ANGRYCUTS_TRANSLATIONS));
 }
 
 /// The texts of all elements of that name, by their languages; English ones have none.

@@ -8,7 +8,6 @@
 #include <QMenuBar>
 #include <QSettings>
 #include <QTabBar>
-#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -117,7 +116,6 @@ class LanguageWindowTest : public QObject {
   void offersWhatCanBeRecovered();
   void writesNumbersAsItsReadersDo();
   void staysInOnePieceWhenSwitchedOften();
-  void namesRunsWholeInTheComparison();
 
  private:
   QTemporaryDir m_settings;
@@ -376,24 +374,6 @@ void LanguageWindowTest::staysInOnePieceWhenSwitchedOften() {
     QVERIFY2(after[kind] <= before.value(kind),
              qPrintable(
                  QString("%1: %2, before %3").arg(kind).arg(after[kind]).arg(before.value(kind))));
-  }
-}
-
-void LanguageWindowTest::namesRunsWholeInTheComparison() {
-  for (int language = 1; language < ui::kLanguageCount; ++language) {
-    ui::speak(static_cast<Language>(language));
-    UsedWindow window;
-    auto* dock = window.findChild<QDockWidget*>("comparison");
-    dock->raise();
-    settle();
-    const auto* table = dock->findChild<QTableWidget*>();
-    QVERIFY(table->isVisible() && table->rowCount() == 2);
-    const int needed = static_cast<const QAbstractItemView*>(table)->sizeHintForColumn(0);
-    QVERIFY2(table->columnWidth(0) >= needed, qPrintable(QStringLiteral("%1: %2 of %3, %4")
-                                                             .arg(table->item(1, 0)->text())
-                                                             .arg(table->columnWidth(0))
-                                                             .arg(needed)
-                                                             .arg(dock->width())));
   }
 }
 

@@ -12,6 +12,7 @@
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBlock>
@@ -68,6 +69,8 @@ class TextFitTest : public QObject {
   void seesWhatIsCutOffInListsAndPages();
   void fitsInThePanels_data() { addLanguages(); }
   void fitsInThePanels();
+  void namesRunsWholeInTheComparison_data() { addLanguages(); }
+  void namesRunsWholeInTheComparison();
   void fitsInTheOtherWindows_data() { addLanguages(); }
   void fitsInTheOtherWindows();
   void fitsInTheDialogs_data() { addLanguages(); }
@@ -146,6 +149,22 @@ void TextFitTest::fitsInThePanels() {
   QVERIFY2(least.width() <= kScreen.width(), qPrintable(QString::number(least.width())));
   QVERIFY2(least.height() <= kScreen.height() - kTitleBar,
            qPrintable(QString::number(least.height())));
+}
+
+void TextFitTest::namesRunsWholeInTheComparison() {
+  QFETCH(Language, language);
+  m_window->speak(language);
+  auto* dock = m_window->findChild<QDockWidget*>("comparison");
+  dock->raise();
+  settle();
+  const auto* table = dock->findChild<QTableWidget*>();
+  QVERIFY(table->isVisible() && table->rowCount() == 2);
+  const int needed = static_cast<const QAbstractItemView*>(table)->sizeHintForColumn(0);
+  QVERIFY2(table->columnWidth(0) >= needed, qPrintable(QStringLiteral("%1: %2 of %3, %4")
+                                                           .arg(table->item(1, 0)->text())
+                                                           .arg(table->columnWidth(0))
+                                                           .arg(needed)
+                                                           .arg(dock->width())));
 }
 
 void TextFitTest::fitsInTheOtherWindows() {

@@ -10,6 +10,8 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
+#include "tests/support/translated_languages.h"
+
 namespace {
 
 const QString kProject = QStringLiteral(ANGRYCUTS_PROJECT_DIR);
@@ -71,10 +73,8 @@ int keyMarksIn(QString text) {
 
 void addLanguages() {
   QTest::addColumn<QString>("language");
-  for (const QString& file : QDir(kProject + "/translations").entryList({"*.ts"})) {
-    const QString language = file.section('_', 1).section('.', 0, 0);
-    if (language != "en") QTest::newRow(qPrintable(language)) << language;
-  }
+  for (const QString& language : tests::translatedLanguages(kProject + "/translations"))
+    QTest::newRow(qPrintable(language)) << language;
 }
 
 }  // namespace

@@ -28,9 +28,6 @@ class ChartHand : public QObject {
 
   const ChartOverlay& overlay() const { return m_overlay; }
   void showTime(double time);
-  /// Where the curves are.
-  QRectF plotArea() const;
-
   void zoomIn();
   void zoomOut();
   void resetZoom();
@@ -60,6 +57,8 @@ class ChartHand : public QObject {
   /// What the mouse does while a button is down.
   enum class Drag { kNone, kTime, kBox, kMove };
 
+  /// Where the curves are.
+  QRectF plotArea() const;
   void zoomTo(const QRectF& range);
   void zoomAt(QPointF place, double factorX, double factorY);
   void finishBox();

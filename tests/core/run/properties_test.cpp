@@ -184,6 +184,8 @@ class RunWithTwins {
   /// How far apart they have been at most [m].
   double uncertain() const { return m_uncertain; }
 
+  Run run;
+
  private:
   static Run started(const Case& one, const Scene& scene) {
     return Run(std::make_shared<const Scene>(scene), one.solver);
@@ -192,9 +194,6 @@ class RunWithTwins {
   std::vector<Run> m_twins;
   double m_uncertain = 0;
   bool m_isTold = true;
-
- public:
-  Run run;
 };
 
 /// Plays a run as the window does, in frames of uneven length.

@@ -62,9 +62,6 @@ void ProblemWordsTest::saysWhatIsWrongAndWhere_data() {
   QTest::newRow("tied outside") << Edit([](core::Scene& scene) {
     scene.weights[0].rope->pivot.x() = -1;
   }) << "The rope of weight 1 is tied outside the room.";
-  QTest::newRow("runs") << Edit([](core::Scene& scene) {
-    scene.solvers.assign(core::kMostSolvers + 1, {.method = "rk4"});
-  }) << "There are more than 4 runs.";
 }
 
 void ProblemWordsTest::saysWhatIsWrongAndWhere() {
@@ -75,7 +72,6 @@ void ProblemWordsTest::saysWhatIsWrongAndWhere() {
   QCOMPARE(ui::problemWords(problems.front()), words);
 }
 
-// Only a file can name one.
 void ProblemWordsTest::countsFurtherProblems() {
   const core::Scene scene = edited([](core::Scene& draft) {
     draft.gravity = -1;

@@ -3,16 +3,13 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include "tests/support/translated_languages.h"
 #include "ui/files/long_text.h"
 
 namespace {
 
-/// The languages of the window but English.
 QStringList translatedLanguages() {
-  QStringList languages = QDir(":/i18n").entryList({"angrycuts_*.qm"});
-  languages.replaceInStrings(QRegularExpression("^angrycuts_(.*)\\.qm$"), "\\1");
-  languages.removeOne("en");
-  return languages;
+  return tests::translatedLanguages(QDir(":/i18n"));
 }
 
 QStringList linesIn(const QString& language) {
