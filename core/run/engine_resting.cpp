@@ -94,7 +94,11 @@ void Engine::settle(double s, bool foresee) {
   m_fastestSettled = 0;
   for (const RestingWeight& weight : group.weights)
     m_fastestSettled = std::max(m_fastestSettled, weight.velocity.norm());
-  for (int local = 0; local < static_cast<int>(members.size()); ++local) group.expand(local);
+  // Those found within reach may be pushed as well, asleep or not, and need their contacts.
+  for (int local = 0; local < group.size(); ++local) {
+    m_moving[group.members[local]].asleep = false;
+    group.expand(local);
+  }
   pull(group, s, duration);
   warmStart(group);
   group.solve(

@@ -108,14 +108,16 @@ void Engine::Group::addHit(int a, int b, const Eigen::Vector2d& normal, double r
 }
 
 /// A missing share of the skin is an approach that must not go on, as a negative gap. A hit only
-/// sees to it that half of the skin stays.
+/// sees to it that half of the skin stays, and no faster than a whole stretch would: what is
+/// left of it may be so short that the gap would open with a blow.
 ///
 /// Where a bounded number of sweeps leaves slow motions of a large heap unsolved, its pushes lag
 /// behind. Gaps widened at once would then be widened too far: the heap would breathe and never
 /// come to rest. Widened slowly enough they settle.
 double Engine::Group::widened(double gap) const {
   const double skin = m_engine.skin();
-  if (!m_widens) return std::min(0.0, gap + skin / 2);
+  if (!m_widens)
+    return std::min(0.0, gap + skin / 2) * std::min(1.0, m_duration / m_engine.boundaryAfter(0));
   const double overlap = std::min(0.0, gap + skin);
   const double looseness = m_engine.looseness();
   return overlap + (gap - overlap) / (looseness * looseness);

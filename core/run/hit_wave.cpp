@@ -16,25 +16,30 @@ Engine::HitWave::HitWave(Group& group, const ContactGoal& goal, double duration)
     : m_group(group), m_goal(goal), m_duration(duration) {
   addRows();
   for (int local = 0, hit = group.size(); local < hit; ++local)
-    if (!group.isExpanded(local)) expand(local);
+    lookAround(local);
 }
 
 void Engine::HitWave::run() {
   for (int round = 0; round < kMostRounds && !runThroughQueue(); ++round) sweep();
   for (std::size_t i = 0; i < m_rows.size(); ++i) {
-    if (m_rows[i].a == m_rows[i].b) settle(static_cast<int>(i));  // nothing leaves the room
-    m_group.contacts[i].push = m_rows[i].push;
+    PushRow& row = m_rows[i];
+    Eigen::Vector2d& velocity = m_group.weights[row.a].velocity;
+    if (row.a == row.b) core::settle(row, velocity, velocity);  // nothing leaves the room
+    m_group.contacts[i].push = row.push;
   }
 }
 
-void Engine::HitWave::expand(int local) {
-  m_group.expand(local);
+/// Finds the contacts of a member, for the speed it has now.
+void Engine::HitWave::lookAround(int local) {
+  if (!m_group.isExpanded(local)) m_group.expand(local);
+  if (m_group.outruns(local)) m_group.lookFurther(local);
   addRows();
 }
 
 void Engine::HitWave::addRows() {
+  // Sweeps may have moved those they found: their own neighbours know only of `unkicked`.
   for (std::size_t k = m_told.size(); k < m_group.members.size(); ++k)
-    m_told.push_back(m_group.weights[k].velocity);
+    m_told.push_back(m_group.unkicked[k]);
   for (std::size_t i = m_rows.size(); i < m_group.contacts.size(); ++i) {
     const RestingContact& contact = m_group.contacts[i];
     PushRow row = pushRow(contact, m_group.weights, m_duration);
@@ -86,11 +91,7 @@ void Engine::HitWave::brake(int index) {
 void Engine::HitWave::tell(int local) {
   if (!hasChanged(local)) return;
   m_told[local] = m_group.weights[local].velocity;
-  if (!m_group.isExpanded(local)) expand(local);
-  if (m_group.outruns(local)) {
-    m_group.lookFurther(local);
-    addRows();
-  }
+  lookAround(local);
   m_group.forEachContact(local, [&](int row) { enqueue(row); });
 }
 
@@ -108,7 +109,7 @@ void Engine::HitWave::sweep() {
   for (int local = 0, count = m_group.size(); local < count; ++local) {
     if (!hasChanged(local)) continue;
     m_told[local] = m_group.weights[local].velocity;
-    if (!m_group.isExpanded(local)) expand(local);
+    lookAround(local);
   }
 }
 

@@ -26,7 +26,7 @@ class Engine::HitWave {
   void run();
 
  private:
-  void expand(int local);
+  void lookAround(int local);
   void addRows();
   bool runThroughQueue();
   void sweep();
