@@ -6,6 +6,12 @@
 namespace core {
 namespace {
 
+// Where a heap is jammed so that gaps cannot open as they should, every sweep finds the same and
+// only the pushes grow. After so many sweeps whose residuals differ by less than this share that
+// is so, if what is left is slow anyway [m/s].
+constexpr int kStuckSweeps = 20;
+constexpr double kStuckShare = 1e-3;
+constexpr double kStuckSpeed = 3e-5;
 // Slips need not be right to more than this many tolerances: they make no overlap, and where
 // friction makes a heap stiffer than it need be, drags are not settled by anything else.
 constexpr double kSlipTolerances = 100;
@@ -97,17 +103,20 @@ class Directions {
 bool solveBySweeps(ContactProblem& problem, const ContactGoal& goal) {
   Directions directions(problem);
   double lastSquare = 0;
+  int alike = 0;  // sweeps, one after the other
   for (int count = 1;; ++count) {
     Sweep sweep;
     sweepPushes(problem, sweep);
     sweepDrags(problem, sweep);
+    const double share = lastSquare > 0 ? sweep.square / lastSquare : 2;
+    lastSquare = sweep.square;
+    alike = std::abs(share - 1) < kStuckShare ? alike + 1 : 0;
+    const bool isStuck = alike >= kStuckSweeps && sweep.largest <= kStuckSpeed;
     const bool solved = sweep.largest <= goal.tolerance;
-    if (solved || count >= goal.mostSweeps) {  // further on may be no push
+    if (solved || isStuck || count >= goal.mostSweeps) {  // further on may be no push
       keepInside(problem);
       return solved;
     }
-    const double share = lastSquare > 0 ? sweep.square / lastSquare : 2;
-    lastSquare = sweep.square;
     // A growing residual means that another set of contacts pushes now: start anew.
     if (share > 1) {
       directions.reset();

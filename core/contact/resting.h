@@ -45,7 +45,7 @@ struct ContactGoal {
 ///
 /// @param weights   indices in the contacts refer to these
 /// @param duration  of the stretch [s], > 0
-/// @return          false if the bound on the work ended it
+/// @return          false if the bound on the work ended it, or more work would be in vain
 bool solveContacts(std::span<RestingWeight> weights, std::span<RestingContact> contacts,
                    double duration, const ContactGoal& goal);
 

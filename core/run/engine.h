@@ -163,6 +163,7 @@ class Engine {
   void goOnInGroup(const Group& group, double s, bool foresee);
   void hitGroup(int a, int b, double s, const Eigen::Vector2d& normal, double restitution,
                 const std::vector<int>& landing);
+  void soften(Group& group, const ContactGoal& goal, double duration, double restitution);
   void logHit(const Group& group, double s, double lost, const std::vector<int>& landing);
   class HitWave;
   void moveSpread(const Group& group, double s);

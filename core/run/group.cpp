@@ -107,6 +107,12 @@ void Engine::Group::addHit(int a, int b, const Eigen::Vector2d& normal, double r
   link({localOf(a), localOf(b), -normal, -speed * m_duration, 0, 0, 0}, b);
 }
 
+void Engine::Group::undoHit() {
+  for (std::size_t k = 0; k < weights.size(); ++k) weights[k].velocity = unkicked[k];
+  for (RestingContact& contact : contacts) contact.push = contact.drag = 0;
+  contacts[m_hit].gap = 0;
+}
+
 /// A missing share of the skin is an approach that must not go on, as a negative gap. A hit only
 /// sees to it that half of the skin stays, and no faster than a whole stretch would: what is
 /// left of it may be so short that the gap would open with a blow.
@@ -218,6 +224,10 @@ double Engine::Group::stopUnsolved() {
     }
   }
   return std::max(0.0, before - kineticEnergy());
+}
+
+double Engine::Group::loss() const {
+  return pushLoss(contacts, unkicked, weights) + dragLoss(contacts, unkicked, weights);
 }
 
 void Engine::Group::findSupport() {

@@ -41,6 +41,8 @@ class Engine::Group {
   /// @param normal       from a to b
   /// @param restitution  speed after / speed before along the normal
   void addHit(int a, int b, const Eigen::Vector2d& normal, double restitution);
+  /// Takes all pushes back; the two that hit each other shall part no more than by gaps of others.
+  void undoHit();
   int size() const { return static_cast<int>(members.size()); }
   int localOf(int index) const { return m_engine.m_localOf[index]; }
   bool isExpanded(int local) const { return m_expanded[local]; }
@@ -71,6 +73,9 @@ class Engine::Group {
   /// 10⁹ kg that drive 10⁻⁶ kg into a corner at 10⁵ m/s, shall not end in an overlap.
   /// @return  the kinetic energy that takes [J]
   double stopUnsolved();
+
+  /// What pushes and drags took from the members since they came [J].
+  double loss() const;
 
   /// Notes what pushes the members: the floor counts where nothing else does and no rope ties.
   void findSupport();

@@ -15,8 +15,7 @@ constexpr int kMostRounds = 10;
 Engine::HitWave::HitWave(Group& group, const ContactGoal& goal, double duration)
     : m_group(group), m_goal(goal), m_duration(duration) {
   addRows();
-  for (int local = 0, hit = group.size(); local < hit; ++local)
-    lookAround(local);
+  for (int local = 0, hit = group.size(); local < hit; ++local) lookAround(local);
 }
 
 void Engine::HitWave::run() {

@@ -67,10 +67,12 @@ HeapFigures runHeap(const std::shared_ptr<const core::Scene>& scene, const core:
     figures.overlap = std::max(figures.overlap, largestOverlap(run));
     figures.highestEnergy =
         std::max(figures.highestEnergy, run.energies().mechanical() / run.startEnergy());
+    const double drift = run.energies().numericalDrift / run.startEnergy();
+    figures.largestGain = std::max(figures.largestGain, drift - figures.drift);
+    figures.drift = drift;
     figures.mostEvents = std::max(figures.mostEvents, run.stepEvents().size());
   }
   figures.kinetic = run.energies().kinetic;
-  figures.drift = run.energies().numericalDrift / run.startEnergy();
   return figures;
 }
 

@@ -38,6 +38,7 @@ struct HeapFigures {
   double kinetic = 0;          ///< at the end [J]
   double highestEnergy = 0;    ///< mechanical, after any step, as a share of the start's
   double drift = 0;            ///< energy unaccounted for at the end, as a share of the start's
+  double largestGain = 0;      ///< of that in one step, likewise
   std::size_t mostEvents = 0;  ///< listed in one step
 };
 
