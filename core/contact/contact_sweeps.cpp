@@ -12,6 +12,9 @@ namespace {
 constexpr int kStuckSweeps = 20;
 constexpr double kStuckShare = 1e-3;
 constexpr double kStuckSpeed = 3e-5;
+// A bound on the sweeps is for large heaps: so many contacts are always set right [-]. It takes
+// that where a few light weights stand between heavy ones.
+constexpr int kLeastWork = 30'000;
 // Slips need not be right to more than this many tolerances: they make no overlap, and where
 // friction makes a heap stiffer than it need be, drags are not settled by anything else.
 constexpr double kSlipTolerances = 100;
@@ -102,6 +105,8 @@ class Directions {
 
 bool solveBySweeps(ContactProblem& problem, const ContactGoal& goal) {
   Directions directions(problem);
+  const int contacts = std::max(1, static_cast<int>(problem.pushes.size()));
+  const int mostSweeps = std::max(goal.mostSweeps, kLeastWork / contacts);
   double lastSquare = 0;
   int alike = 0;  // sweeps, one after the other
   for (int count = 1;; ++count) {
@@ -113,7 +118,7 @@ bool solveBySweeps(ContactProblem& problem, const ContactGoal& goal) {
     alike = std::abs(share - 1) < kStuckShare ? alike + 1 : 0;
     const bool isStuck = alike >= kStuckSweeps && sweep.largest <= kStuckSpeed;
     const bool solved = sweep.largest <= goal.tolerance;
-    if (solved || isStuck || count >= goal.mostSweeps) {  // further on may be no push
+    if (solved || isStuck || count >= mostSweeps) {  // further on may be no push
       keepInside(problem);
       return solved;
     }

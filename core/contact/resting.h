@@ -28,7 +28,7 @@ struct RestingContact {
 /// Where the search for contact impulses ends.
 struct ContactGoal {
   double tolerance;  ///< no contact would change its weights' approach by more [m/s], > 0
-  int mostSweeps;    ///< over all contacts, ≥ 1: a bound on the work
+  int mostSweeps;    ///< over all contacts, ≥ 1: a bound on the work, where that is not small
 };
 
 /// Finds the contact impulses that keep weights apart for a stretch of time, all together,

@@ -158,6 +158,10 @@ class Engine {
   void pull(Group& group, double s, double duration);
   void warmStart(Group& group) const;
   void letGo(Group& group, double s);
+  double endApproaches(Group& group) const;
+  /// A hit between weights that lie is a lean below that speed [m/s]: between two solutions a
+  /// weight of a group moves with what a whole stretch of gravity gave it.
+  double slowestHit() const;
   void carryImpulses(const Group& group);
   void fallAsleep(const Group& group, double s, double duration);
   void goOnInGroup(const Group& group, double s, bool foresee);

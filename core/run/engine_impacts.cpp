@@ -247,10 +247,7 @@ bool Engine::joinAtRest(const Upcoming& event, double approach, const Eigen::Vec
   if (settled && 2 * approach < m_scene->gravity * m_solver.step * kLastDuration) return true;
   if (m_scene->restitution >= 1 && m_scene->room.restitution >= 1) return false;
   if (meetsTooOften(a, b)) return true;
-  // Between two solves a settled weight moves with the velocity a whole stretch of gravity
-  // gave it: so slow a hit is a lean.
-  if (isSupported(a) && isSupported(b))
-    return settled && approach <= 2 * m_scene->gravity * boundaryAfter(0);
+  if (isSupported(a) && isSupported(b)) return settled && approach <= slowestHit();
   if (!isSupported(a) && !isSupported(b)) return false;
   // The free one bounces off the one that lies: gravity brings it back.
   const double pull = (isSupported(a) ? 1 : -1) * normal.y() * m_scene->gravity;

@@ -36,6 +36,10 @@ constexpr double kMostSkin = kSkin * kLoosest;  // [m]
 constexpr double kStillSpeed = 1e-3;
 constexpr double kStillTimes = 13;
 
+double kineticEnergy(const RestingWeight& weight) {
+  return 0.5 * weight.mass * weight.velocity.squaredNorm();
+}
+
 }  // namespace
 
 double Engine::looseness() const {
@@ -157,6 +161,40 @@ void Engine::letGo(Group& group, double s) {
   loseQuietly(s, lost, 0);
   for (RestingContact& contact : group.contacts)
     if (group.support[contact.a] == Support::kFloor) contact.push = contact.drag = 0;
+  loseQuietly(s, endApproaches(group), 0);
+}
+
+/// Weights that leave with a slow approach to neighbours within the skin would be back at once: a
+/// lean, though nothing presses them. Those approaches end here, without bounce. Weights that stay
+/// do not give way: others lean on them.
+/// @return  the energy that takes [J]
+double Engine::endApproaches(Group& group) const {
+  const auto leaves = [&](int k) { return k >= 0 && group.support[k] != Support::kOthers; };
+  std::vector<RestingWeight> weights = group.weights;
+  for (int k = 0; k < group.size(); ++k)
+    if (!leaves(k)) weights[k].mass = INFINITY;
+  std::vector<RestingContact> narrow;
+  double fastest = 0;
+  for (const RestingContact& contact : group.contacts) {
+    if (contact.gap > 0 || (!leaves(contact.a) && !leaves(contact.b))) continue;
+    Eigen::Vector2d closing = -weights[contact.a].velocity;
+    if (contact.b >= 0) closing += weights[contact.b].velocity;
+    fastest = std::max(fastest, closing.dot(contact.normal));
+    narrow.push_back({.a = contact.a, .b = contact.b, .normal = contact.normal});
+  }
+  if (fastest <= m_tolerance.speed || fastest > slowestHit()) return 0;
+  solveContacts(weights, narrow, 1, {m_tolerance.speed, mostSweeps()});
+  double taken = 0;
+  for (int k = 0; k < group.size(); ++k)
+    if (leaves(k)) taken += kineticEnergy(group.weights[k]) - kineticEnergy(weights[k]);
+  if (taken < 0) return 0;  // those that stay would drive them
+  for (int k = 0; k < group.size(); ++k)
+    if (leaves(k)) group.weights[k].velocity = weights[k].velocity;
+  return taken;
+}
+
+double Engine::slowestHit() const {
+  return 2 * m_scene->gravity * boundaryAfter(0);
 }
 
 void Engine::carryImpulses(const Group& group) {

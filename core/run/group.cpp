@@ -12,6 +12,9 @@ constexpr double kDeep = 1e-3;
 // So often weights may evade those that stand; then they stand as well.
 constexpr int kMostRounds = 50;
 
+constexpr double kSlightBend = 1e-9;  // not worth solving again for [m]
+constexpr int kMostBends = 10;        // so often at most
+
 constexpr double kRounding = 1e-12;  // of velocities, as a share
 
 constexpr double kNoNeed = std::numeric_limits<double>::infinity();  // to look for contacts
@@ -32,6 +35,7 @@ void Engine::Group::add(int index) {
   places.push_back(positionOf(body, piece.mode, state));
   RestingWeight weight{velocityOf(body, piece.mode, state), body.mass};
   if (isTethered(piece.mode)) weight.track = trackOf(state);
+  m_hasRopes = m_hasRopes || isTethered(piece.mode);
   weights.push_back(weight);
   unkicked.push_back(weight.velocity);
   m_reach.push_back(reachAt(weight.velocity.norm()));
@@ -110,7 +114,7 @@ void Engine::Group::addHit(int a, int b, const Eigen::Vector2d& normal, double r
 void Engine::Group::undoHit() {
   for (std::size_t k = 0; k < weights.size(); ++k) weights[k].velocity = unkicked[k];
   for (RestingContact& contact : contacts) contact.push = contact.drag = 0;
-  contacts[m_hit].gap = 0;
+  contacts[m_hit].gap = m_straightGaps[m_hit] = 0;
 }
 
 /// A missing share of the skin is an approach that must not go on, as a negative gap. A hit only
@@ -139,6 +143,7 @@ void Engine::Group::link(const RestingContact& contact, int key) {
   const int i = static_cast<int>(contacts.size());
   contacts.push_back(contact);
   keys.push_back(key);
+  m_straightGaps.push_back(contact.gap);
   m_nextContact.push_back({std::exchange(m_firstContact[contact.a], i),
                            contact.b < 0 ? -1 : std::exchange(m_firstContact[contact.b], i)});
 }
@@ -158,13 +163,40 @@ void Engine::Group::lookFurther(int local) {
 }
 
 void Engine::Group::solve(const ContactGoal& goal) {
-  for (bool grows = true; grows;) {
+  int bends = 0;
+  for (bool again = true; again;) {
     solveContacts(weights, contacts, m_duration, goal);
     const std::size_t before = contacts.size();
     for (int local = 0; local < size(); ++local)
       if (m_expanded[local] && outruns(local)) lookFurther(local);
-    grows = contacts.size() > before;
+    again = contacts.size() > before || (bends < kMostBends && bend());
+    ++bends;
   }
+}
+
+/// How far it leaves, within the stretch, the straight line along its velocity [m].
+Eigen::Vector2d Engine::Group::bendOf(int local) const {
+  if (weights[local].track.isZero(0)) return {0, 0};
+  const Body& body = m_engine.m_bodies[members[local]];
+  const double turn = weights[local].velocity.norm() / body.length * m_duration;
+  return turn * turn / 2 * (body.pivot - places[local]);
+}
+
+bool Engine::Group::bend() {
+  if (!m_hasRopes) return false;
+  bool differs = false;
+  for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
+    RestingContact& contact = contacts[i];
+    Eigen::Vector2d apart = bendOf(contact.a);
+    if (contact.b >= 0) apart -= bendOf(contact.b);
+    const double nearer = std::min(0.0, apart.dot(contact.normal));
+    const double straight = m_straightGaps[i];
+    const double gap = i == m_hit ? std::min(straight, nearer) : straight + nearer;
+    if (gap > contact.gap - kSlightBend) continue;
+    contact.gap = gap;
+    differs = true;
+  }
+  return differs;
 }
 
 /// Whether it has left the group, so that its contacts are foreseen like anybody's.

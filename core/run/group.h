@@ -63,6 +63,11 @@ class Engine::Group {
   /// Solves; when that made members faster than their contacts were looked for, looks again.
   void solve(const ContactGoal& goal);
 
+  /// Narrows the gaps to weights on ropes by what their circles bend towards each other within
+  /// the stretch, at the speeds they have now.
+  /// @return  whether that made a difference
+  bool bend();
+
   /// Whether a member is, or may soon be, further than its contacts were looked for.
   bool outruns(int local) const { return reachAt(weights[local].velocity.norm()) > m_reach[local]; }
   /// Looks for its contacts further away, when it has become faster.
@@ -97,6 +102,7 @@ class Engine::Group {
   void lookAt(int local, int other);
   void addSurfacesOf(int local);
   double widened(double gap) const;
+  Eigen::Vector2d bendOf(int local) const;
   void addContact(const RestingContact& contact, int key);
   void link(const RestingContact& contact, int key);
   bool hasContact(int local, int key) const;
@@ -106,6 +112,8 @@ class Engine::Group {
   double m_duration;
   bool m_widens;
   int m_hit = -1;  // the contact whose gap says how fast the two shall part; −1: none
+  bool m_hasRopes = false;
+  std::vector<double> m_straightGaps;             // of contacts, as none of the two bends [m]
   std::vector<int> m_firstContact;                // of members; −1: none
   std::vector<std::array<int, 2>> m_nextContact;  // of contacts: the next one of a and of b
   std::vector<double> m_reach;  // of members: how far their contacts were looked for [m]

@@ -19,7 +19,12 @@ Engine::HitWave::HitWave(Group& group, const ContactGoal& goal, double duration)
 }
 
 void Engine::HitWave::run() {
-  for (int round = 0; round < kMostRounds && !runThroughQueue(); ++round) sweep();
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (!runThroughQueue())
+      sweep();
+    else if (!followBends())
+      break;
+  }
   for (std::size_t i = 0; i < m_rows.size(); ++i) {
     PushRow& row = m_rows[i];
     Eigen::Vector2d& velocity = m_group.weights[row.a].velocity;
@@ -70,6 +75,22 @@ bool Engine::HitWave::runThroughQueue() {
   return true;
 }
 
+/// @return  whether there is more to do, as weights on ropes bend towards others
+bool Engine::HitWave::followBends() {
+  if (!m_group.bend()) return false;
+  takeGaps();
+  return true;
+}
+
+void Engine::HitWave::takeGaps() {
+  for (std::size_t i = 0; i < m_rows.size(); ++i) {
+    const double speed = m_group.contacts[i].gap / m_duration;
+    if (speed == m_rows[i].gapSpeed) continue;
+    m_rows[i].gapSpeed = speed;
+    enqueue(static_cast<int>(i));
+  }
+}
+
 void Engine::HitWave::settle(int index) {
   PushRow& row = m_rows[index];
   core::settle(row, m_group.weights[row.a].velocity, m_group.weights[row.b].velocity);
@@ -104,6 +125,7 @@ void Engine::HitWave::sweep() {
   m_group.solve(m_goal);
   for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i].push = m_group.contacts[i].push;
   while (m_next < m_queue.size()) m_waits[m_queue[m_next++]] = 0;
+  takeGaps();
   addRows();
   for (int local = 0, count = m_group.size(); local < count; ++local) {
     if (!hasChanged(local)) continue;

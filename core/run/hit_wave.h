@@ -29,6 +29,8 @@ class Engine::HitWave {
   void lookAround(int local);
   void addRows();
   bool runThroughQueue();
+  bool followBends();
+  void takeGaps();
   void sweep();
   void settle(int index);
   void brake(int index);

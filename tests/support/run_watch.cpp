@@ -103,11 +103,8 @@ RunWatch::RunWatch(const core::Run& run, const Bounds& bounds)
 std::string RunWatch::faultAfterStep(const core::Run& run) {
   if (!isFinite(run)) return "numbers that are not finite";
   for (const core::Event& event : run.stepEvents()) {
-    m_hasRested = m_hasRested || event.kind == core::EventKind::kRest;
     m_fastest = std::max({m_fastest, event.speedBefore, event.speedAfter});
   }
-  for (int i = 0; i < run.weightCount(); ++i)
-    m_hasRested = m_hasRested || run.weight(i).phase == core::Phase::kResting;
   std::string fault = faultInPlaces(run);
   if (fault.empty()) fault = faultInLedger(run);
   if (fault.empty()) fault = faultInEvents(run);
@@ -124,24 +121,8 @@ double RunWatch::roundingOfPlaces(const core::Run& run) const {
   return m_bounds.travelShare * fastest * run.solver().step;
 }
 
-/// Weights that lean on each other go straight on for up to 1/240 s at a time: one on a rope that
-/// does not hang still then leaves the line that its contacts were found for.
-double RunWatch::bendOfRopes(const core::Run& run) const {
-  if (!m_hasRested) return 0;
-  const double stretch = std::min(run.solver().step, 1.0 / 240);
-  double most = 0;
-  for (int i = 0; i < run.weightCount(); ++i) {
-    const core::WeightState state = run.weight(i);
-    if (state.phase != core::Phase::kTethered) continue;
-    // As fast as it has fallen into the group it may have been before.
-    const double speed = std::max(m_fastest, state.velocity.norm());
-    most = std::max(most, speed * speed * stretch * stretch / run.scene().weights[i].rope->length);
-  }
-  return most;
-}
-
 std::string RunWatch::faultInPlaces(const core::Run& run) const {
-  const double rounding = roundingOfPlaces(run) + bendOfRopes(run);
+  const double rounding = roundingOfPlaces(run);
   const auto faultIn = [&](const std::vector<Vector2d>& places, double time) -> std::string {
     const std::string moment = " at " + numberText(time) + " s";
     const double out = outside(run.scene(), places, m_bounds);

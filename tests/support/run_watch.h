@@ -47,7 +47,6 @@ class RunWatch {
  private:
   std::string faultInPlaces(const core::Run& run) const;
   double roundingOfPlaces(const core::Run& run) const;
-  double bendOfRopes(const core::Run& run) const;
   std::string faultInLedger(const core::Run& run) const;
   std::string faultInEvents(const core::Run& run) const;
 
@@ -55,7 +54,6 @@ class RunWatch {
   double m_time = 0;  // at the end of the step before [s]
   core::Energies m_energies;
   std::size_t m_eventCount = 0;
-  bool m_hasRested = false;
   double m_fastest = 0;  // in any event so far [m/s]
 };
 
