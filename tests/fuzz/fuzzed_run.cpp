@@ -239,7 +239,10 @@ std::string faultIn(const FuzzedRun& fuzzed) {
     if (!fault.empty()) return fault;
   }
   if (!isFinite(run)) return "numbers that are not finite at the end";
-  if (patient.isGivenUp()) return fuzzed.isOrdinary ? "more work than such a scene can have" : "";
+  // A longer step may blow up in dense air, and hit the floor until it is stopped.
+  const bool isPlayed = run.method().isAdaptive || run.solver().step <= kPlayedStep;
+  if (patient.isGivenUp())
+    return fuzzed.isOrdinary && isPlayed ? "more work than such a scene can have" : "";
   const bool isFine = run.method().isAdaptive || run.solver().step <= kFineStep;
   if (fuzzed.isOrdinary && isFine && run.status() != RunStatus::kRunning)
     return "an end in the middle of an ordinary scene";
