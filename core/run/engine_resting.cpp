@@ -129,10 +129,13 @@ void Engine::pull(Group& group, double s, double duration) {
   }
 }
 
-/// Starts from the impulses of the stretch before: what lies goes on being pushed alike.
+/// Starts from the impulses of the stretch before: what lies goes on being pushed alike. What has
+/// come away since does not: two walls that once pushed a weight against each other would take it
+/// back and forth.
 void Engine::warmStart(Group& group) const {
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     RestingContact& contact = group.contacts[i];
+    if (contact.gap > skin()) continue;
     const std::pair key(group.members[contact.a], group.keys[i]);
     const auto carried = std::ranges::lower_bound(
         m_now.contacts, key, {}, [](const CarriedContact& c) { return std::pair(c.a, c.b); });
