@@ -45,6 +45,17 @@ inline void settle(PushRow& row, Eigen::Vector2d& a, Eigen::Vector2d& b) {
   b -= row.change * row.responseB;
 }
 
+/// Has the last word on a weight's approach to a surface, however large its push has become: of
+/// that, rounding may take more than the weight has momentum.
+inline void keepInside(PushRow& row, Eigen::Vector2d& velocity) {
+  Eigen::Vector2d surface(0, 0);
+  settle(row, velocity, surface);
+  const double approach = row.normalA.dot(velocity) + row.gapSpeed;
+  if (approach >= 0) return;
+  row.push -= approach * row.stiffness;
+  velocity -= approach * row.stiffness * row.responseA;
+}
+
 /// The friction at one contact with a surface: solved it has |drag| ≤ μ push, and either no
 /// slip or drag at that bound against it.
 struct DragRow {

@@ -42,7 +42,7 @@ void sweepPushes(ContactProblem& problem, Sweep& sweep) {
 void keepInside(ContactProblem& problem) {
   const int surface = static_cast<int>(problem.velocities.size()) - 1;
   for (PushRow& row : problem.pushes)
-    if (row.b == surface) settle(row, problem);
+    if (row.b == surface) core::keepInside(row, problem.velocities[row.a]);
 }
 
 void sweepDrags(ContactProblem& problem, Sweep& sweep) {

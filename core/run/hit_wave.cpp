@@ -27,8 +27,7 @@ void Engine::HitWave::run() {
   }
   for (std::size_t i = 0; i < m_rows.size(); ++i) {
     PushRow& row = m_rows[i];
-    Eigen::Vector2d& velocity = m_group.weights[row.a].velocity;
-    if (row.a == row.b) core::settle(row, velocity, velocity);  // nothing leaves the room
+    if (row.a == row.b) keepInside(row, m_group.weights[row.a].velocity);
     m_group.contacts[i].push = row.push;
   }
 }
