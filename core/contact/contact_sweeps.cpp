@@ -10,7 +10,7 @@ namespace {
 // only the pushes grow. After so many sweeps whose residuals differ by less than this share that
 // is so, if what is left is slow anyway [m/s].
 constexpr int kStuckSweeps = 20;
-constexpr double kStuckShare = 1e-3;
+constexpr double kStuckShare = 1e-5;
 constexpr double kStuckSpeed = 3e-5;
 // A bound on the sweeps is for large heaps: so many contacts are always set right [-]. It takes
 // that where a few light weights stand between heavy ones.
