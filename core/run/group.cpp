@@ -9,6 +9,8 @@ namespace {
 
 // Overlaps deeper than this share of the radii are deep.
 constexpr double kDeep = 1e-3;
+// The same for surfaces, which have no skin.
+constexpr double kOutside = 1e-4;
 // So often weights may evade those that stand; then they stand as well.
 constexpr int kMostRounds = 50;
 
@@ -217,7 +219,8 @@ double Engine::Group::excessAt(int index) const {
   if (contact.b >= 0) radii += m_engine.m_bodies[members[contact.b]].radius;
   const double gap = index == m_hit ? 0 : contact.gap;
   const double depth = closing * m_duration - gap;
-  return depth > kSkin + kDeep * radii ? depth / m_duration : 0;
+  const double allowed = contact.b < 0 ? kOutside * radii : kSkin + kDeep * radii;
+  return depth > allowed ? depth / m_duration : 0;
 }
 
 double Engine::Group::kineticEnergy() const {
