@@ -152,8 +152,9 @@ void EventsPanel::listRuns() {
     m_runs->setCurrentIndex(m_events->run());
   }
   m_runs->setVisible(m_controller->runCount() > 1);
-  m_weight->setMaximum(m_controller->run(0).weightCount());
+  // First the log: a lower maximum may list anew, and the log before is gone.
   m_table->setLog(&m_events->log());
+  m_weight->setMaximum(m_controller->run(0).weightCount());
   fitToFont();
 }
 

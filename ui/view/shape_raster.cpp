@@ -154,6 +154,7 @@ class Stroke {
         m_length(lengthOf(m_dx, m_dy)),
         m_reach(std::max(shape.fromHalfWidth, shape.toHalfWidth) + 0.5f),
         m_endReach(m_reach) {
+    if (m_length == 0) return;
     m_dx /= m_length;
     m_dy /= m_length;
     m_taper = (shape.toHalfWidth - shape.fromHalfWidth) / m_length;
@@ -163,6 +164,7 @@ class Stroke {
   }
 
   void paint(const Canvas& canvas) const {
+    if (m_length == 0) return;  // it has no direction
     const QRgb color = colorOf(m_shape.color);
     const auto [left, right] = std::minmax(m_shape.from[0], m_shape.to[0]);
     const auto [top, bottom] = std::minmax(m_shape.from[1], m_shape.to[1]);
@@ -210,9 +212,9 @@ class Stroke {
   float m_dx;  // unit vector along the axis
   float m_dy;
   float m_length;
-  float m_reach;     // across the axis
-  float m_endReach;  // beyond the axis, in any direction
-  float m_taper;     // half width gained per length
+  float m_reach;      // across the axis
+  float m_endReach;   // beyond the axis, in any direction
+  float m_taper = 0;  // half width gained per length
 };
 
 void paintOn(const Canvas& canvas, const Shape& shape) {

@@ -26,7 +26,10 @@ TargetHandle::TargetHandle(SceneView* view) : QObject(view), m_view(view) {
 }
 
 bool TargetHandle::eventFilter(QObject* watched, QEvent* event) {
-  if (!m_view->target()) return QObject::eventFilter(watched, event);
+  // Others come as well when the view is being taken down, and is no view any more.
+  const bool isOfMouse =
+      QEvent::MouseButtonPress <= event->type() && event->type() <= QEvent::MouseMove;
+  if (!isOfMouse || !m_view->target()) return QObject::eventFilter(watched, event);
   switch (event->type()) {
     case QEvent::MouseButtonPress:
       return press(static_cast<QMouseEvent&>(*event));
