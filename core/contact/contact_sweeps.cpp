@@ -39,10 +39,10 @@ void sweepPushes(ContactProblem& problem, Sweep& sweep) {
 }
 
 /// Surfaces have the last word: whatever is left unsolved, nothing leaves the room.
-void keepInside(ContactProblem& problem) {
+void keepAllInside(ContactProblem& problem) {
   const int surface = static_cast<int>(problem.velocities.size()) - 1;
   for (PushRow& row : problem.pushes)
-    if (row.b == surface) core::keepInside(row, problem.velocities[row.a]);
+    if (row.b == surface) keepInside(row, problem.velocities[row.a]);
 }
 
 void sweepDrags(ContactProblem& problem, Sweep& sweep) {
@@ -119,7 +119,7 @@ bool solveBySweeps(ContactProblem& problem, const ContactGoal& goal) {
     const bool isStuck = alike >= kStuckSweeps && sweep.largest <= kStuckSpeed;
     const bool solved = sweep.largest <= goal.tolerance;
     if (solved || isStuck || count >= mostSweeps) {  // further on may be no push
-      keepInside(problem);
+      keepAllInside(problem);
       return solved;
     }
     // A growing residual means that another set of contacts pushes now: start anew.

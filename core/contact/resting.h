@@ -14,6 +14,11 @@ struct RestingWeight {
   Eigen::Vector2d track{0, 0};
 };
 
+/// [J]
+inline double kineticEnergy(const RestingWeight& weight) {
+  return 0.5 * weight.mass * weight.velocity.squaredNorm();
+}
+
 /// Two weights, or a weight and a surface, that touch or may touch soon.
 struct RestingContact {
   int a = -1;                    ///< index of the weight the normal points at

@@ -36,10 +36,6 @@ constexpr double kMostSkin = kSkin * kLoosest;  // [m]
 constexpr double kStillSpeed = 1e-3;
 constexpr double kStillTimes = 13;
 
-double kineticEnergy(const RestingWeight& weight) {
-  return 0.5 * weight.mass * weight.velocity.squaredNorm();
-}
-
 }  // namespace
 
 double Engine::looseness() const {
@@ -237,8 +233,7 @@ void Engine::fallAsleep(const Group& group, double s, double duration) {
   double lost = 0;
   for (int k = 0; k < static_cast<int>(group.members.size()); ++k) {
     m_moving[group.members[k]].asleep = mayRest[root(k)];
-    if (mayRest[root(k)])
-      lost += 0.5 * group.weights[k].mass * group.weights[k].velocity.squaredNorm();
+    if (mayRest[root(k)]) lost += kineticEnergy(group.weights[k]);
   }
   loseQuietly(s, lost, 0);
 }

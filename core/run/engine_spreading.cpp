@@ -24,9 +24,13 @@ void Engine::hitGroup(int a, int b, double s, const Eigen::Vector2d& normal, dou
   const double tolerance = std::min(looseness() * kHitGap / duration, kCoarsest);
   const ContactGoal goal{tolerance, mostSweeps()};
   HitWave(group, goal, duration).run();
-  if (group.loss() < 0) soften(group, goal, duration, restitution);
+  double lost = group.loss();
+  if (lost < 0) {
+    soften(group, goal, duration, restitution);
+    lost = group.loss();
+  }
   // Gaps that are too narrow are widened at some cost, and rounding may leave −10⁻¹⁵ of nothing.
-  const double lost = std::max(0.0, group.loss());
+  lost = std::max(0.0, lost);
   const double lostInHit =
       std::clamp(pushLoss({group.contacts.data(), 1}, group.unkicked, group.weights), 0.0, lost);
   loseQuietly(s, lost - lostInHit, 0);

@@ -225,8 +225,7 @@ double Engine::Group::excessAt(int index) const {
 
 double Engine::Group::kineticEnergy() const {
   double energy = 0;
-  for (const RestingWeight& weight : weights)
-    energy += 0.5 * weight.mass * weight.velocity.squaredNorm();
+  for (const RestingWeight& weight : weights) energy += core::kineticEnergy(weight);
   return energy;
 }
 

@@ -65,9 +65,10 @@ HeapFigures runHeap(const std::shared_ptr<const core::Scene>& scene, const core:
       break;
     }
     figures.overlap = std::max(figures.overlap, largestOverlap(run));
+    const core::Energies energies = run.energies();
     figures.highestEnergy =
-        std::max(figures.highestEnergy, run.energies().mechanical() / run.startEnergy());
-    const double drift = run.energies().numericalDrift / run.startEnergy();
+        std::max(figures.highestEnergy, energies.mechanical() / run.startEnergy());
+    const double drift = energies.numericalDrift / run.startEnergy();
     figures.largestGain = std::max(figures.largestGain, drift - figures.drift);
     figures.drift = drift;
     figures.mostEvents = std::max(figures.mostEvents, run.stepEvents().size());

@@ -102,9 +102,8 @@ RunWatch::RunWatch(const core::Run& run, const Bounds& bounds)
 
 std::string RunWatch::faultAfterStep(const core::Run& run) {
   if (!isFinite(run)) return "numbers that are not finite";
-  for (const core::Event& event : run.stepEvents()) {
+  for (const core::Event& event : run.stepEvents())
     m_fastest = std::max({m_fastest, event.speedBefore, event.speedAfter});
-  }
   std::string fault = faultInPlaces(run);
   if (fault.empty()) fault = faultInLedger(run);
   if (fault.empty()) fault = faultInEvents(run);

@@ -154,7 +154,6 @@ class Stroke {
         m_length(lengthOf(m_dx, m_dy)),
         m_reach(std::max(shape.fromHalfWidth, shape.toHalfWidth) + 0.5f),
         m_endReach(m_reach) {
-    if (m_length == 0) return;
     m_dx /= m_length;
     m_dy /= m_length;
     m_taper = (shape.toHalfWidth - shape.fromHalfWidth) / m_length;
@@ -164,7 +163,6 @@ class Stroke {
   }
 
   void paint(const Canvas& canvas) const {
-    if (m_length == 0) return;  // it has no direction
     const QRgb color = colorOf(m_shape.color);
     const auto [left, right] = std::minmax(m_shape.from[0], m_shape.to[0]);
     const auto [top, bottom] = std::minmax(m_shape.from[1], m_shape.to[1]);
@@ -212,9 +210,9 @@ class Stroke {
   float m_dx;  // unit vector along the axis
   float m_dy;
   float m_length;
-  float m_reach;      // across the axis
-  float m_endReach;   // beyond the axis, in any direction
-  float m_taper = 0;  // half width gained per length
+  float m_reach;     // across the axis
+  float m_endReach;  // beyond the axis, in any direction
+  float m_taper;     // half width gained per length
 };
 
 void paintOn(const Canvas& canvas, const Shape& shape) {
@@ -229,7 +227,8 @@ void paintOn(const Canvas& canvas, const Shape& shape) {
     case ShapeEnds::kFlat:
       if (shape.from[1] == shape.to[1] && shape.fromHalfWidth == shape.toHalfWidth)
         return paintUpright(shape, canvas);
-      return Stroke<ShapeEnds::kFlat>(shape).paint(canvas);
+      if (!isPoint) Stroke<ShapeEnds::kFlat>(shape).paint(canvas);
+      return;
   }
 }
 

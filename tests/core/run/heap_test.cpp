@@ -115,8 +115,8 @@ void HeapTest::wakesWhenHit() {
   QVERIFY(most > 1);
 }
 
-// A weight that lies on two others sleeps soon. A tenth of a millimeter beside them a large one
-// stands on another for some time before it rolls off: they come within each other's reach, and
+// A weight that lies on two others sleeps soon. A fraction of a millimeter beside them a large
+// one stands on another for some time before it rolls off: they come within each other's reach, and
 // what carries the sleeper goes on carrying it.
 void HeapTest::carriesSleepersNearThoseAwake() {
   constexpr double kSmall = 0.01, kLarge = 0.1, kApart = 1.5e-4;
