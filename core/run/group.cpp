@@ -208,7 +208,7 @@ bool Engine::Group::isLetGo(int local) const {
 
 /// How much too fast the two of a contact approach each other [m/s]; 0 unless that leads deep
 /// inside.
-double Engine::Group::excessAt(int index) const {
+double Engine::Group::excessAt(std::size_t index) const {
   const RestingContact& contact = contacts[index];
   if (isLetGo(contact.a) || (contact.b >= 0 && isLetGo(contact.b))) return 0;
   const Eigen::Vector2d still = Eigen::Vector2d::Zero();
@@ -217,7 +217,7 @@ double Engine::Group::excessAt(int index) const {
   if (closing <= 0) return 0;
   double radii = m_engine.m_bodies[members[contact.a]].radius;
   if (contact.b >= 0) radii += m_engine.m_bodies[members[contact.b]].radius;
-  const double gap = index == m_hit ? 0 : contact.gap;
+  const double gap = static_cast<int>(index) == m_hit ? 0 : contact.gap;
   const double depth = closing * m_duration - gap;
   const double allowed = contact.b < 0 ? kOutside * radii : kSkin + kDeep * radii;
   return depth > allowed ? depth / m_duration : 0;
@@ -230,23 +230,27 @@ double Engine::Group::kineticEnergy() const {
 }
 
 double Engine::Group::stopUnsolved() {
-  const int count = static_cast<int>(contacts.size());
   bool isSolved = true;
-  for (int i = 0; isSolved && i < count; ++i) isSolved = excessAt(i) == 0;
+  for (std::size_t i = 0; isSolved && i < contacts.size(); ++i) isSolved = excessAt(i) == 0;
   if (isSolved) return 0;  // as nearly always
   const double before = kineticEnergy();
-  std::vector<char> stands(members.size(), 0);
+  std::vector<char> stands;
   const auto stop = [&](int local) {
     weights[local].velocity.setZero();
     stands[local] = 1;
   };
   for (int round = 0; !isSolved; ++round) {
     isSolved = true;
-    for (int i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
       const double excess = excessAt(i);
       if (excess == 0) continue;
       isSolved = false;
       const auto [a, b] = std::pair(contacts[i].a, contacts[i].b);
+      // What turns away may run into others, which may be new here.
+      for (const int local : {a, b})
+        if (local >= 0 && !m_expanded[local]) expand(local);
+      stands.resize(members.size());
+      if (!support.empty()) support.resize(members.size(), Support::kOthers);
       const bool isWall = b < 0 || stands[b];
       RestingWeight& moving = weights[isWall ? a : b];
       if ((isWall || stands[a]) && moving.track.isZero() && round < kMostRounds) {

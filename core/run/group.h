@@ -97,7 +97,7 @@ class Engine::Group {
   double reachAt(double speed) const;
   bool isLetGo(int local) const;
   bool isPushed(int local, double push) const;
-  double excessAt(int contact) const;
+  double excessAt(std::size_t contact) const;
   double kineticEnergy() const;
   void lookAt(int local, int other);
   void addSurfacesOf(int local);
