@@ -30,7 +30,8 @@ Eigen::Vector2d inwardOf(const WallSide& side) {
   return side.axis == 0 ? Eigen::Vector2d(side.inward, 0) : Eigen::Vector2d(0, side.inward);
 }
 
-/// A bounce that would rise by less than this share of the radius is the last one.
+/// A bounce that would rise by less than this share of the radius is the last one. An elastic one
+/// goes on for ever, unless all of it counts as touching.
 constexpr double kLastRise = 1e-6;
 /// So is, for weights that do not only bounce elastically, the contact after this many within
 /// 1/60 s or a step: between weights in a heap the series of bounces need not end.
@@ -38,7 +39,7 @@ constexpr int kMostMeetings = 64;
 /// The same for a weight that meets one of a group: bounces off it that do not end until the
 /// forces in the group are found anew would be fewer.
 constexpr int kMostMeetingsWithGroup = 8;
-/// So is one that would be over within this share of the step, whatever the restitution.
+/// So is one off a group that would be over within this share of the step.
 constexpr double kLastDuration = 1e-7;
 
 }  // namespace
@@ -133,10 +134,8 @@ void Engine::rest(int index, double s, const Entries& before, const Entries& bou
 
 bool Engine::comesToRest(double speedAfter, double inwardAcceleration, double radius) const {
   if (inwardAcceleration >= 0) return false;
-  const double pull = -inwardAcceleration;
-  if (m_scene->room.restitution < 1 && speedAfter * speedAfter < 2 * pull * kLastRise * radius)
-    return true;
-  return 2 * speedAfter < pull * m_solver.step * kLastDuration;
+  const double visible = m_scene->room.restitution < 1 ? kLastRise * radius : 0;
+  return speedAfter * speedAfter < -2 * inwardAcceleration * std::max(visible, m_tolerance.gap);
 }
 
 CollidingWeight Engine::colliding(int index, Mode mode, const Entries& state) const {

@@ -50,6 +50,8 @@ class RestTest : public QObject {
   void endsABounceSeriesWhenItsSumSays_data();
   void endsABounceSeriesWhenItsSumSays();
   void neverRestsWhereNothingIsLost();
+  void hopsNoLowerThanWhatTouches_data();
+  void hopsNoLowerThanWhatTouches();
   void startsAtRestOnTheFloor();
   void slidesToTheRightPlace_data();
   void slidesToTheRightPlace();
@@ -108,6 +110,33 @@ void RestTest::neverRestsWhereNothingIsLost() {
   const double between = 2 * std::sqrt(2 * 1e-3 / scene.gravity);
   QCOMPARE(static_cast<int>(events.size()), static_cast<int>(10 / between + 0.5));
   QVERIFY(std::abs(run.energies().numericalDrift) < 1e-12);
+}
+
+void RestTest::hopsNoLowerThanWhatTouches_data() {
+  QTest::addColumn<double>("rise");
+  QTest::addColumn<bool>("rests");
+  QTest::newRow("below 1e-12 m") << 1e-13 << true;
+  QTest::newRow("1e-9 m") << 1e-9 << false;
+}
+
+// Elastic hops go on for ever: those that cannot be told from touching would fill a step with
+// millions of impacts.
+void RestTest::hopsNoLowerThanWhatTouches() {
+  QFETCH(double, rise);
+  QFETCH(bool, rests);
+  Scene scene = sceneWith(weightAt(2, 0.02, 0));
+  scene.weights[0].velocity.y() = std::sqrt(2 * scene.gravity * rise);
+  scene.room.restitution = 1;
+  Run run = runOf(scene);
+  const std::vector<Event> events = runUntil(run, 0.1);
+
+  const auto hops = std::ranges::count(events, EventKind::kImpactFloor, &Event::kind);
+  const int expected = static_cast<int>(0.1 / std::sqrt(8 * rise / scene.gravity));
+  QCOMPARE(std::ranges::count(events, EventKind::kRest, &Event::kind), std::ptrdiff_t{rests});
+  if (rests)
+    QCOMPARE(hops, std::ptrdiff_t{1});
+  else
+    QVERIFY2(std::abs(hops - expected) < expected / 50, qPrintable(QString::number(hops)));
 }
 
 void RestTest::startsAtRestOnTheFloor() {
