@@ -59,6 +59,11 @@ void followSeries(Piece& piece, const std::array<Series, 5>& series) {
   piece.endSlope = piece.polynomial->rateAt(h);
 }
 
+/// What air took is never given back: where a step's error in that is the larger, it took nothing.
+void takeNothingBack(Piece& piece) {
+  piece.endState[4] = std::max(piece.endState[4], piece.beginState[4]);
+}
+
 }  // namespace
 
 bool AdaptiveStepper::fill(const Body& body, Piece& piece, Pace& pace) {
@@ -95,6 +100,7 @@ bool AdaptiveStepper::fillEmbedded(const Body& body, Piece& piece, Pace& pace) {
   }
   if (step < stretch) piece.end = piece.begin + step;
   piece.endState = attempt.end;
+  takeNothingBack(piece);
   piece.endSlope = attempt.endSlope;
   piece.polynomial = quartic(piece, attempt.bulge);
   pace.mode = piece.mode;
@@ -165,6 +171,7 @@ bool AdaptiveStepper::fillSeries(const Body& body, Piece& piece) {
   const double step = evened(reach, stretch);
   if (step < stretch) piece.end = piece.begin + step;
   followSeries(piece, series);
+  takeNothingBack(piece);
   return true;
 }
 

@@ -18,11 +18,15 @@ Entries Piece::at(double s) const {
   if (elapsed >= duration) return endState;
   if (elapsed <= 0) return beginState;
   if (straight) return beginState + elapsed * beginSlope;
-  if (polynomial) return polynomial->at(elapsed);
+  // What air took is never given back, but the path of a step far too large swings below it.
+  if (polynomial) {
+    Entries state = polynomial->at(elapsed);
+    state[4] = std::max(beginState[4], state[4]);
+    return state;
+  }
   const double u = elapsed / duration;
   Entries state = beginState + u * u * (3 - 2 * u) * (endState - beginState) +
                   elapsed * (1 - u) * ((1 - u) * beginSlope - u * endSlope);
-  // What air took is never given back, but the cubic of a step far too large swings below it.
   state[4] = std::max(beginState[4], std::min(state[4], endState[4]));
   return state;
 }

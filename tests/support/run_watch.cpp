@@ -53,13 +53,6 @@ double overlap(const core::Scene& scene, const std::vector<Vector2d>& places,
   return deepest;
 }
 
-/// What air took is a mean of the slopes' powers: one with negative shares may come out negative.
-bool mustNotShrink(const core::Run& run, double Energies::*loss) {
-  const auto shares = run.method().shares;
-  return loss != &Energies::lostToAir ||
-         std::ranges::none_of(shares, [](double share) { return share < 0; });
-}
-
 /// The largest of the entries that the ledger adds up [J].
 double largestEntry(const Energies& energies, double start) {
   double largest = std::max({std::abs(energies.kinetic), std::abs(energies.potential), start});
@@ -148,8 +141,7 @@ std::string RunWatch::faultInLedger(const core::Run& run) const {
   if (std::abs(open) > kRounding * largestEntry(now, std::abs(run.startEnergy())))
     return "a ledger open by " + numberText(open) + " J";
   for (const auto loss : kLosses)
-    if (now.*loss < m_energies.*loss && mustNotShrink(run, loss))
-      return "a loss that shrank to " + numberText(now.*loss);
+    if (now.*loss < m_energies.*loss) return "a loss that shrank to " + numberText(now.*loss);
   return {};
 }
 
