@@ -7,9 +7,10 @@
 namespace core {
 namespace {
 
-// Overlaps deeper than this share of the radii are deep.
+// Overlaps deeper than this share of the radii, and some more, are deep.
 constexpr double kDeep = 1e-3;
-// The same for surfaces, which have no skin.
+constexpr double kSlight = 1e-6;  // [m]
+// The same share for surfaces, which nothing may leave.
 constexpr double kOutside = 1e-4;
 // So often weights may evade those that stand; then they stand as well.
 constexpr int kMostRounds = 50;
@@ -78,7 +79,8 @@ void Engine::Group::lookAt(int local, int other) {
   if (hasContact(local, other)) return;
   const int lower = std::min(index, other), higher = std::max(index, other);
   const Eigen::Vector2d normal = (index == lower ? 1 : -1) * apart.normalized();
-  addContact({localOf(lower), localOf(higher), normal, gap - m_engine.skin(), 0, 0, 0}, higher);
+  addContact({localOf(lower), localOf(higher), normal, gap - m_engine.skin(), 0, 0, 0}, higher,
+             gap);
 }
 
 void Engine::Group::addSurfacesOf(int local) {
@@ -89,7 +91,7 @@ void Engine::Group::addSurfacesOf(int local) {
   const auto look = [&](Surface surface, double gap, const Eigen::Vector2d& normal,
                         double friction) {
     if (gap > m_reach[local] || hasContact(local, surface)) return;
-    addContact({local, -1, normal, gap, friction, 0, 0}, surface);
+    addContact({local, -1, normal, gap, friction, 0, 0}, surface, gap);
   };
   const double friction = isTethered(piece.mode) ? 0 : room.friction;
   look(kFloor, place.y() - body.radius, {0, 1}, friction);
@@ -110,7 +112,7 @@ void Engine::Group::addHit(int a, int b, const Eigen::Vector2d& normal, double r
   const Eigen::Vector2d closing = weights[localOf(a)].velocity - weights[localOf(b)].velocity;
   const double speed = restitution * closing.dot(normal);
   m_hit = static_cast<int>(contacts.size());
-  link({localOf(a), localOf(b), -normal, -speed * m_duration, 0, 0, 0}, b);
+  link({localOf(a), localOf(b), -normal, -speed * m_duration, 0, 0, 0}, b, 0);
 }
 
 void Engine::Group::undoHit() {
@@ -135,13 +137,15 @@ double Engine::Group::widened(double gap) const {
   return overlap + (gap - overlap) / (looseness * looseness);
 }
 
-void Engine::Group::addContact(const RestingContact& contact, int key) {
+/// @param gap  between the two [m]
+void Engine::Group::addContact(const RestingContact& contact, int key, double gap) {
   RestingContact added = contact;
   if (contact.gap < 0) added.gap = widened(contact.gap);
-  link(added, key);
+  link(added, key, gap);
 }
 
-void Engine::Group::link(const RestingContact& contact, int key) {
+void Engine::Group::link(const RestingContact& contact, int key, double gap) {
+  m_realGaps.push_back(gap);
   const int i = static_cast<int>(contacts.size());
   contacts.push_back(contact);
   keys.push_back(key);
@@ -217,9 +221,9 @@ double Engine::Group::excessAt(std::size_t index) const {
   if (closing <= 0) return 0;
   double radii = m_engine.m_bodies[members[contact.a]].radius;
   if (contact.b >= 0) radii += m_engine.m_bodies[members[contact.b]].radius;
-  const double gap = static_cast<int>(index) == m_hit ? 0 : contact.gap;
-  const double depth = closing * m_duration - gap;
-  const double allowed = contact.b < 0 ? kOutside * radii : kSkin + kDeep * radii;
+  const double bend = contact.gap - m_straightGaps[index];
+  const double depth = closing * m_duration - (m_realGaps[index] + bend);
+  const double allowed = contact.b < 0 ? kOutside * radii : kSlight + kDeep * radii;
   return depth > allowed ? depth / m_duration : 0;
 }
 

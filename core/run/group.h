@@ -103,8 +103,8 @@ class Engine::Group {
   void addSurfacesOf(int local);
   double widened(double gap) const;
   Eigen::Vector2d bendOf(int local) const;
-  void addContact(const RestingContact& contact, int key);
-  void link(const RestingContact& contact, int key);
+  void addContact(const RestingContact& contact, int key, double gap);
+  void link(const RestingContact& contact, int key, double gap);
   bool hasContact(int local, int key) const;
 
   Engine& m_engine;
@@ -113,8 +113,9 @@ class Engine::Group {
   bool m_widens;
   int m_hit = -1;  // the contact whose gap says how fast the two shall part; −1: none
   bool m_hasRopes = false;
-  std::vector<double> m_straightGaps;             // of contacts, as none of the two bends [m]
-  std::vector<int> m_firstContact;                // of members; −1: none
+  std::vector<double> m_realGaps;      // of contacts, without a skin [m]
+  std::vector<double> m_straightGaps;  // likewise to be kept, as none of the two bends [m]
+  std::vector<int> m_firstContact;     // of members; −1: none
   std::vector<std::array<int, 2>> m_nextContact;  // of contacts: the next one of a and of b
   std::vector<double> m_reach;  // of members: how far their contacts were looked for [m]
   std::vector<bool> m_expanded;
