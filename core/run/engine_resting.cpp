@@ -24,8 +24,9 @@ constexpr double kCoarsest = 3e-5;
 constexpr int kMostSweeps = 1200;
 constexpr int kLeastSweeps = 60;
 // Sweeps for a given accuracy grow with the depth of a heap: those of more weights than this are
-// solved more loosely, in proportion, but not more than ten times.
+// solved more loosely, once more as loosely for every so many more, but not more than ten times.
 constexpr double kExactlySolved = 200;
+constexpr double kLooserEvery = 100;
 constexpr double kLoosest = 10;
 constexpr double kMostSkin = kSkin * kLoosest;  // [m]
 
@@ -39,7 +40,7 @@ constexpr double kStillTimes = 13;
 }  // namespace
 
 double Engine::looseness() const {
-  return std::clamp(m_settledCount / kExactlySolved, 1.0, kLoosest);
+  return std::clamp(1 + (m_settledCount - kExactlySolved) / kLooserEvery, 1.0, kLoosest);
 }
 
 double Engine::skin() const {

@@ -6,13 +6,13 @@
 
 namespace tests {
 
-core::Scene crowd(int count) {
+core::Scene crowd(int count, int columns) {
   constexpr double kPacking = 0.3;
   constexpr double kRadius = 0.02;
   core::Scene scene;
   std::mt19937 generator(1);
   const auto share = [&] { return static_cast<double>(generator()) / 0x1p32; };
-  const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
+  if (columns == 0) columns = static_cast<int>(std::ceil(std::sqrt(count)));
   const double cell = kRadius * std::sqrt(std::numbers::pi / kPacking);
   scene.room = {.width = columns * cell,
                 .height = std::ceil(static_cast<double>(count) / columns) * cell,

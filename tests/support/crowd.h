@@ -6,6 +6,7 @@ namespace tests {
 
 /// Equal discs of 2 cm on a square lattice that fills a box at packing 0.3, with velocities up to
 /// 0.5 m/s in each direction, always the same ones; restitution 0.8, no friction.
-core::Scene crowd(int count);
+/// @param columns  of the lattice; 0: as many as rows, or one more
+core::Scene crowd(int count, int columns = 0);
 
 }  // namespace tests
