@@ -15,6 +15,10 @@ constexpr double kStuckSpeed = 3e-5;
 // A bound on the sweeps is for large heaps: so many contacts are always set right [-]. It takes
 // that where a few light weights stand between heavy ones.
 constexpr int kLeastWork = 30'000;
+// What is left at that bound may be so fast [m/s], and so many tolerances; else it is raised.
+constexpr double kLeftSpeed = 1e-4;
+constexpr double kLeftTolerances = 10;
+constexpr int kRaised = 4;
 // Slips need not be right to more than this many tolerances: they make no overlap, and where
 // friction makes a heap stiffer than it need be, drags are not settled by anything else.
 constexpr double kSlipTolerances = 100;
@@ -107,6 +111,7 @@ bool solveBySweeps(ContactProblem& problem, const ContactGoal& goal) {
   Directions directions(problem);
   const int contacts = std::max(1, static_cast<int>(problem.pushes.size()));
   const int mostSweeps = std::max(goal.mostSweeps, kLeastWork / contacts);
+  const double mostLeft = std::max(kLeftSpeed, kLeftTolerances * goal.tolerance);
   double lastSquare = 0;
   int alike = 0;  // sweeps, one after the other
   for (int count = 1;; ++count) {
@@ -118,7 +123,8 @@ bool solveBySweeps(ContactProblem& problem, const ContactGoal& goal) {
     alike = std::abs(share - 1) < kStuckShare ? alike + 1 : 0;
     const bool isStuck = alike >= kStuckSweeps && sweep.largest <= kStuckSpeed;
     const bool solved = sweep.largest <= goal.tolerance;
-    if (solved || isStuck || count >= mostSweeps) {  // further on may be no push
+    const int bound = sweep.largest > mostLeft ? kRaised * mostSweeps : mostSweeps;
+    if (solved || isStuck || count >= bound) {  // further on may be no push
       keepAllInside(problem);
       return solved;
     }
