@@ -237,7 +237,8 @@ double Engine::Group::stopUnsolved() {
   bool isSolved = true;
   for (std::size_t i = 0; isSolved && i < contacts.size(); ++i) isSolved = excessAt(i) == 0;
   if (isSolved) return 0;  // as nearly always
-  const double before = kineticEnergy();
+  double before = kineticEnergy();
+  const std::size_t known = members.size();
   std::vector<char> stands;
   const auto stop = [&](int local) {
     weights[local].velocity.setZero();
@@ -265,6 +266,8 @@ double Engine::Group::stopUnsolved() {
       if (b >= 0) stop(b);
     }
   }
+  for (std::size_t k = known; k < members.size(); ++k)
+    before += core::kineticEnergy({unkicked[k], weights[k].mass});
   return std::max(0.0, before - kineticEnergy());
 }
 
