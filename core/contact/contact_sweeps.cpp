@@ -15,10 +15,12 @@ constexpr double kStuckSpeed = 3e-5;
 // A bound on the sweeps is for large heaps: so many contacts are always set right [-]. It takes
 // that where a few light weights stand between heavy ones.
 constexpr int kLeastWork = 30'000;
-// What is left at that bound may be so fast [m/s], and so many tolerances; else it is raised.
+// What is left at that bound may be so fast [m/s], and so many tolerances; else the bound is
+// raised, unless it is so fast that there is little hope.
 constexpr double kLeftSpeed = 1e-4;
 constexpr double kLeftTolerances = 10;
 constexpr int kRaised = 4;
+constexpr double kHopelessSpeed = 1e-2;  // [m/s]
 // Slips need not be right to more than this many tolerances: they make no overlap, and where
 // friction makes a heap stiffer than it need be, drags are not settled by anything else.
 constexpr double kSlipTolerances = 100;
@@ -123,7 +125,8 @@ bool solveBySweeps(ContactProblem& problem, const ContactGoal& goal) {
     alike = std::abs(share - 1) < kStuckShare ? alike + 1 : 0;
     const bool isStuck = alike >= kStuckSweeps && sweep.largest <= kStuckSpeed;
     const bool solved = sweep.largest <= goal.tolerance;
-    const int bound = sweep.largest > mostLeft ? kRaised * mostSweeps : mostSweeps;
+    const bool isWorthMore = sweep.largest > mostLeft && sweep.largest < kHopelessSpeed;
+    const int bound = isWorthMore ? kRaised * mostSweeps : mostSweeps;
     if (solved || isStuck || count >= bound) {  // further on may be no push
       keepAllInside(problem);
       return solved;
