@@ -13,6 +13,7 @@
 #include "core/scene/scene_limits.h"
 #include "tests/fuzz/choices.h"
 #include "tests/support/fingerprint.h"
+#include "tests/support/processor_time.h"
 #include "tests/support/run_watch.h"
 
 namespace tests {
@@ -33,6 +34,8 @@ constexpr double kNearlyElastic = 0.999;
 // Questions whether to go on, one or more for each event: seconds of work, and 100 MiB of events.
 constexpr int kMostQuestions = 20'000;
 constexpr int kMostQuestionsInOrdinary = 100'000;
+// A rope that turns 3000 times in a step makes a long answer of each [s of the processor's time].
+constexpr double kMostTime = 15;
 
 /// What numbers are chosen from.
 struct Ranges {
@@ -186,16 +189,23 @@ class PatientRun {
   /// @return  false where the run ended, or was given up
   bool advance() {
     cutByHand(run, m_fuzzed);
-    const bool isTaken = run.tryAdvance([&](double) { return ++m_questions < most(); });
+    const bool isTaken = run.tryAdvance([&](double) { return goesOn(); });
     return isTaken && run.status() == RunStatus::kRunning;
   }
-  bool isGivenUp() const { return m_questions >= most(); }
+  bool isGivenUp() const { return m_isGivenUp; }
 
  private:
-  int most() const { return m_fuzzed.isOrdinary ? kMostQuestionsInOrdinary : kMostQuestions; }
+  bool goesOn() {
+    const int most = m_fuzzed.isOrdinary ? kMostQuestionsInOrdinary : kMostQuestions;
+    const bool isLate = !m_fuzzed.isOrdinary && processorTime() - m_start > kMostTime;
+    m_isGivenUp = ++m_questions >= most || isLate;
+    return !m_isGivenUp;
+  }
 
   const FuzzedRun& m_fuzzed;
   int m_questions = 0;
+  double m_start = processorTime();  // [s]
+  bool m_isGivenUp = false;
 
  public:
   Run run;
