@@ -19,9 +19,10 @@ core::Scene crowd(int count, int columns) {
                 .restitution = 0.8};
   scene.restitution = 0.8;
   for (int i = 0; i < count; ++i) {
+    const int column = i % columns, row = i / columns;
     core::Weight weight;
     weight.radius = kRadius;
-    weight.position = {(i % columns + 0.5) * cell, (i / columns + 0.5) * cell};
+    weight.position = {(column + 0.5) * cell, (row + 0.5) * cell};
     weight.velocity = {share() - 0.5, share() - 0.5};
     scene.weights.push_back(weight);
   }

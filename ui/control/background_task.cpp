@@ -5,7 +5,9 @@
 
 namespace ui {
 
-BackgroundTask::BackgroundTask(QObject* parent) : QObject(parent) {}
+BackgroundTask::BackgroundTask(QObject* parent) : QObject(parent) {
+  connect(this, &BackgroundTask::ended, this, &BackgroundTask::end, Qt::QueuedConnection);
+}
 
 BackgroundTask::~BackgroundTask() {
   m_isCancelled = true;
@@ -16,9 +18,10 @@ void BackgroundTask::start(Work work, std::function<void()> done) {
   assert(!m_isRunning);
   m_isRunning = true;
   m_isCancelled = false;
+  m_done = std::move(done);
   emit runningChanged(true);
   emit progressed(0);
-  m_thread = std::jthread([this, work = std::move(work), done = std::move(done)] {
+  m_thread = std::jthread([this, work = std::move(work)] {
     int shown = 0;
     work([this, &shown](double share) {
       const int percent = static_cast<int>(100 * share);
@@ -26,8 +29,7 @@ void BackgroundTask::start(Work work, std::function<void()> done) {
       shown = percent;
       return !m_isCancelled;
     });
-    QMetaObject::invokeMethod(
-        this, [this, done] { end(done); }, Qt::QueuedConnection);
+    emit ended(QPrivateSignal());
   });
 }
 
@@ -35,8 +37,9 @@ void BackgroundTask::cancel() {
   m_isCancelled = true;
 }
 
-void BackgroundTask::end(const std::function<void()>& done) {
+void BackgroundTask::end() {
   m_thread.join();
+  const std::function<void()> done = std::exchange(m_done, nullptr);
   m_isRunning = false;
   emit runningChanged(false);
   if (!m_isCancelled) done();

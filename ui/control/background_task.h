@@ -35,11 +35,14 @@ class BackgroundTask : public QObject {
   void runningChanged(bool running);
   /// Another whole percent of the work is done.
   void progressed(int percent);
+  /// The other thread's last word.
+  void ended(QPrivateSignal);
 
  private:
-  void end(const std::function<void()>& done);
+  void end();
 
   std::jthread m_thread;
+  std::function<void()> m_done;
   std::atomic<bool> m_isCancelled = false;
   bool m_isRunning = false;
 };

@@ -108,7 +108,7 @@ void RestTest::neverRestsWhereNothingIsLost() {
   QCOMPARE(std::ranges::count(events, EventKind::kRest, &Event::kind), std::ptrdiff_t{0});
   // Every 2 √(2 h / g) a bounce, the first after half of that.
   const double between = 2 * std::sqrt(2 * 1e-3 / scene.gravity);
-  QCOMPARE(static_cast<int>(events.size()), static_cast<int>(10 / between + 0.5));
+  QCOMPARE(static_cast<long>(events.size()), std::lround(10 / between));
   QVERIFY(std::abs(run.energies().numericalDrift) < 1e-12);
 }
 
