@@ -17,6 +17,9 @@ constexpr int kMostRounds = 50;
 
 constexpr double kSlightBend = 1e-9;  // not worth solving again for [m]
 constexpr int kMostBends = 10;        // so often at most
+// A weight that turns further within a stretch is one that can hardly give way along its circle:
+// what gives way for the bend would make it turn further still, without end [rad].
+constexpr double kMostTurn = 0.1;
 
 constexpr double kRounding = 1e-12;  // of velocities, as a share
 
@@ -184,7 +187,8 @@ void Engine::Group::solve(const ContactGoal& goal) {
 Eigen::Vector2d Engine::Group::bendOf(int local) const {
   if (weights[local].track.isZero(0)) return {0, 0};
   const Body& body = m_engine.m_bodies[members[local]];
-  const double turn = weights[local].velocity.norm() / body.length * m_duration;
+  const double turn =
+      std::min(weights[local].velocity.norm() / body.length * m_duration, kMostTurn);
   return turn * turn / 2 * (body.pivot - places[local]);
 }
 
