@@ -82,8 +82,7 @@ void Engine::Group::lookAt(int local, int other) {
   if (hasContact(local, other)) return;
   const int lower = std::min(index, other), higher = std::max(index, other);
   const Eigen::Vector2d normal = (index == lower ? 1 : -1) * apart.normalized();
-  addContact({localOf(lower), localOf(higher), normal, gap - m_engine.skin(), 0, 0, 0}, higher,
-             gap);
+  addContact({localOf(lower), localOf(higher), normal, gap, 0, 0, 0}, higher);
 }
 
 void Engine::Group::addSurfacesOf(int local) {
@@ -94,7 +93,7 @@ void Engine::Group::addSurfacesOf(int local) {
   const auto look = [&](Surface surface, double gap, const Eigen::Vector2d& normal,
                         double friction) {
     if (gap > m_reach[local] || hasContact(local, surface)) return;
-    addContact({local, -1, normal, gap, friction, 0, 0}, surface, gap);
+    addContact({local, -1, normal, gap, friction, 0, 0}, surface);
   };
   const double friction = isTethered(piece.mode) ? 0 : room.friction;
   look(kFloor, place.y() - body.radius, {0, 1}, friction);
@@ -140,15 +139,17 @@ double Engine::Group::widened(double gap) const {
   return overlap + (gap - overlap) / (looseness * looseness);
 }
 
-/// @param gap  between the two [m]
-void Engine::Group::addContact(const RestingContact& contact, int key, double gap) {
+/// Adds one with the gap there is; the skin comes off it.
+void Engine::Group::addContact(const RestingContact& contact, int key) {
   RestingContact added = contact;
-  if (contact.gap < 0) added.gap = widened(contact.gap);
-  link(added, key, gap);
+  if (contact.b >= 0) added.gap -= m_engine.skin();
+  if (added.gap < 0) added.gap = widened(added.gap);
+  link(added, key, contact.gap);
 }
 
-void Engine::Group::link(const RestingContact& contact, int key, double gap) {
-  m_realGaps.push_back(gap);
+/// @param realGap  without a skin [m]
+void Engine::Group::link(const RestingContact& contact, int key, double realGap) {
+  m_realGaps.push_back(realGap);
   const int i = static_cast<int>(contacts.size());
   contacts.push_back(contact);
   keys.push_back(key);
@@ -237,6 +238,13 @@ double Engine::Group::kineticEnergy() const {
   return energy;
 }
 
+/// What turns away may run into others, which may be new here.
+void Engine::Group::meetOthers(int local) {
+  if (local < 0 || m_expanded[local]) return;
+  expand(local);
+  if (!support.empty()) support.resize(members.size(), Support::kOthers);
+}
+
 double Engine::Group::stopUnsolved() {
   bool isSolved = true;
   for (std::size_t i = 0; isSolved && i < contacts.size(); ++i) isSolved = excessAt(i) == 0;
@@ -255,11 +263,8 @@ double Engine::Group::stopUnsolved() {
       if (excess == 0) continue;
       isSolved = false;
       const auto [a, b] = std::pair(contacts[i].a, contacts[i].b);
-      // What turns away may run into others, which may be new here.
-      for (const int local : {a, b})
-        if (local >= 0 && !m_expanded[local]) expand(local);
+      for (const int local : {a, b}) meetOthers(local);
       stands.resize(members.size());
-      if (!support.empty()) support.resize(members.size(), Support::kOthers);
       const bool isWall = b < 0 || stands[b];
       RestingWeight& moving = weights[isWall ? a : b];
       if ((isWall || stands[a]) && moving.track.isZero() && round < kMostRounds) {

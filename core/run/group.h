@@ -103,8 +103,9 @@ class Engine::Group {
   void addSurfacesOf(int local);
   double widened(double gap) const;
   Eigen::Vector2d bendOf(int local) const;
-  void addContact(const RestingContact& contact, int key, double gap);
-  void link(const RestingContact& contact, int key, double gap);
+  void addContact(const RestingContact& contact, int key);
+  void link(const RestingContact& contact, int key, double realGap);
+  void meetOthers(int local);
   bool hasContact(int local, int key) const;
 
   Engine& m_engine;
