@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 namespace tests {
 
 std::shared_ptr<const core::Scene> pouredHeap(int count, double restitution, std::uint32_t seed) {
@@ -36,13 +38,19 @@ std::shared_ptr<const core::Scene> pouredHeap(int count, double restitution, std
 
 double largestOverlap(std::vector<PlacedDisc> discs) {
   double widest = 0;
-  for (const PlacedDisc& disc : discs) widest = std::max(widest, disc.radius);
-  std::ranges::sort(discs, {}, [](const PlacedDisc& disc) { return disc.center.y(); });
+  Eigen::AlignedBox2d bounds;
+  for (const PlacedDisc& disc : discs) {
+    widest = std::max(widest, disc.radius);
+    bounds.extend(disc.center);
+  }
+  // Along the longer side fewest are beside each other.
+  const int along = bounds.sizes().x() > bounds.sizes().y() ? 0 : 1;
+  std::ranges::sort(discs, {}, [along](const PlacedDisc& disc) { return disc.center[along]; });
   double largest = 0;
   for (std::size_t i = 0; i < discs.size(); ++i)
     for (std::size_t j = i + 1; j < discs.size(); ++j) {
       const Eigen::Vector2d apart = discs[j].center - discs[i].center;
-      if (apart.y() >= discs[i].radius + widest) break;
+      if (apart[along] >= discs[i].radius + widest) break;
       largest = std::max(largest, discs[i].radius + discs[j].radius - apart.norm());
     }
   return largest;
