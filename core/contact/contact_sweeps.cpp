@@ -20,7 +20,7 @@ constexpr int kLeastWork = 30'000;
 constexpr double kLeftSpeed = 1e-4;
 constexpr double kLeftTolerances = 10;
 constexpr int kRaised = 4;
-constexpr double kHopelessSpeed = 1e-2;  // [m/s]
+constexpr double kHopelessSpeed = 2e-3;  // [m/s]
 // Slips need not be right to more than this many tolerances: they make no overlap, and where
 // friction makes a heap stiffer than it need be, drags are not settled by anything else.
 constexpr double kSlipTolerances = 100;
