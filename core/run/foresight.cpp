@@ -214,7 +214,8 @@ std::optional<double> Foresight::taut(const Body& body, const Piece& piece) cons
   // outside by the sagitta of what it moves in a step or two, and gravity bends it back.
   const double stretch = out.norm() - body.length;
   const double travel = velocity.norm() * (piece.end - piece.begin);
-  if (piece.straight && !pulled && stretch >= -m_tolerance.gap &&
+  const bool isAlong = velocity.dot(radial) <= 2 * velocity.norm() * travel / body.length;
+  if (piece.straight && !pulled && isAlong && stretch >= -m_tolerance.gap &&
       stretch < travel * travel / body.length)
     return std::nullopt;
   return tautBetween(body, piece, piece.begin, piece.end,

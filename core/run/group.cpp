@@ -20,6 +20,10 @@ constexpr int kMostBends = 10;        // so often at most
 // A weight that turns further within a stretch is one that can hardly give way along its circle:
 // what gives way for the bend would make it turn further still, without end [rad].
 constexpr double kMostTurn = 0.1;
+// What one that turns so far and runs into something has too much of: all of its speed.
+constexpr double kStop = std::numeric_limits<double>::infinity();
+// Looking along every turn of one that turns further than this takes too long [rad].
+constexpr double kSurelyMeets = 1e3;
 
 constexpr double kRounding = 1e-12;  // of velocities, as a share
 
@@ -188,9 +192,14 @@ void Engine::Group::solve(const ContactGoal& goal) {
 Eigen::Vector2d Engine::Group::bendOf(int local) const {
   if (weights[local].track.isZero(0)) return {0, 0};
   const Body& body = m_engine.m_bodies[members[local]];
-  const double turn =
-      std::min(weights[local].velocity.norm() / body.length * m_duration, kMostTurn);
+  const double turn = std::min(turnOf(local), kMostTurn);
   return turn * turn / 2 * (body.pivot - places[local]);
+}
+
+/// Within the stretch, of one on a rope [rad].
+double Engine::Group::turnOf(int local) const {
+  if (weights[local].track.isZero(0)) return 0;
+  return weights[local].velocity.norm() / m_engine.m_bodies[members[local]].length * m_duration;
 }
 
 bool Engine::Group::bend() {
@@ -215,11 +224,42 @@ bool Engine::Group::isLetGo(int local) const {
   return !support.empty() && support[local] != Support::kOthers;
 }
 
+/// Whether it turns so far within the stretch that its way is nothing like straight.
+bool Engine::Group::turnsFar(int local) const {
+  return turnOf(local) > kMostTurn && m_engine.m_moving[members[local]].piece.settled;
+}
+
+/// Its way within the stretch.
+Piece Engine::Group::wayOf(int local) const {
+  const int index = members[local];
+  const Piece& now = m_engine.m_moving[index].piece;
+  Piece way{.begin = m_s, .end = m_s + m_duration, .mode = now.mode, .tied = now.tied};
+  way.settled = true;
+  way.beginState = m_engine.withVelocity(index, now.mode, now.at(m_s), weights[local].velocity);
+  m_engine.m_stepper.fill(m_engine.m_bodies[index], way);
+  return way;
+}
+
+/// Whether the ways of the two of a contact cross.
+bool Engine::Group::runsInto(const RestingContact& contact) const {
+  if (turnOf(contact.a) > kSurelyMeets) return true;
+  if (contact.b >= 0 && turnOf(contact.b) > kSurelyMeets) return true;
+  const Body& body = m_engine.m_bodies[members[contact.a]];
+  const Piece way = wayOf(contact.a);
+  const Foresight& foresight = m_engine.m_foresight;
+  if (contact.b < 0)
+    return foresight.wall(body, way, boxOf(body, way, way.begin, way.end)).has_value();
+  const Body& other = m_engine.m_bodies[members[contact.b]];
+  return foresight.meeting(body, way, other, wayOf(contact.b)).has_value();
+}
+
 /// How much too fast the two of a contact approach each other [m/s]; 0 unless that leads deep
 /// inside.
 double Engine::Group::excessAt(std::size_t index) const {
   const RestingContact& contact = contacts[index];
   if (isLetGo(contact.a) || (contact.b >= 0 && isLetGo(contact.b))) return 0;
+  if (turnsFar(contact.a) || (contact.b >= 0 && turnsFar(contact.b)))
+    return runsInto(contact) ? kStop : 0;
   const Eigen::Vector2d still = Eigen::Vector2d::Zero();
   const Eigen::Vector2d& other = contact.b < 0 ? still : weights[contact.b].velocity;
   const double closing = (other - weights[contact.a].velocity).dot(contact.normal);

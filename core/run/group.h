@@ -103,6 +103,10 @@ class Engine::Group {
   void addSurfacesOf(int local);
   double widened(double gap) const;
   Eigen::Vector2d bendOf(int local) const;
+  double turnOf(int local) const;
+  bool turnsFar(int local) const;
+  Piece wayOf(int local) const;
+  bool runsInto(const RestingContact& contact) const;
   void addContact(const RestingContact& contact, int key);
   void link(const RestingContact& contact, int key, double realGap);
   void meetOthers(int local);

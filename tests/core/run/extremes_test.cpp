@@ -10,6 +10,7 @@ class ExtremesTest : public QObject {
  private slots:
   void endsSoundlyAtTheCornersOfTheRanges_data();
   void endsSoundlyAtTheCornersOfTheRanges();
+  void endsSoundlyWhereItOnceDidNot();
 };
 
 void ExtremesTest::endsSoundlyAtTheCornersOfTheRanges_data() {
@@ -31,6 +32,11 @@ void ExtremesTest::endsSoundlyAtTheCornersOfTheRanges() {
     const std::string fault = tests::faultAtCorner(corner, solver, kSteps);
     QVERIFY2(fault.empty(), qPrintable(QString("corner %1: ").arg(corner) + fault.c_str()));
   }
+}
+
+void ExtremesTest::endsSoundlyWhereItOnceDidNot() {
+  // A weight of a group that turns often on its rope within a stretch, and meets others.
+  QCOMPARE(tests::faultAtCorner(507, {"euler", 1.0 / 60, 1e-6}, 20), std::string());
 }
 
 QTEST_APPLESS_MAIN(ExtremesTest)
