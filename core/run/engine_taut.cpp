@@ -13,8 +13,8 @@ namespace {
 
 // Share of a rope's length.
 constexpr double kOffCircle = 1e-9;
-// Multiple of the way back to the circle.
-constexpr double kLeastAside = 2;
+// Multiple of the way along a tangent that leads so far off the circle.
+constexpr double kFarthestAside = 2;
 
 /// Of two angles the one nearer to a third, all in rad and taken around the circle.
 double nearer(double one, double other, double angle) {
@@ -106,8 +106,9 @@ void Engine::goTaut(const Upcoming& event) {
   if (off > kOffCircle * body.length) {
     // Around the circle: the clear one may be told a whole turn away.
     const double aside = std::remainder(clearAngle(i, s, angle) - angle, 2 * std::numbers::pi);
-    // No farther than it moves in a step: all around may be something.
-    const double farthest = std::max(kLeastAside * off, velocity.norm() * m_solver.step);
+    // No farther than it moves in a step, or has moved to get there: all around may be something.
+    const double farthest = std::max(kFarthestAside * std::sqrt(2 * body.length * off),
+                                     velocity.norm() * m_solver.step);
     if (std::abs(aside) * body.length <= farthest) placed = angle + aside;
   }
   Entries after;

@@ -7,9 +7,13 @@
 namespace core {
 namespace {
 
-// A rope's path is cut into arcs of at most this turn [rad], so that the cubic through an
-// arc's ends is off by under 10⁻⁶ of the rope's length.
-constexpr double kArc = 0.12;
+// A rope's path is cut into arcs whose plane cubics are off by this share of the rope's length:
+// where it turns steadily, into arcs of 0.12 rad. Long ropes' are off by no more than those of 1 m.
+constexpr double kArcShare = 5.4e-7;
+constexpr double kLongRope = 1;  // [m]
+// Squares of distances on a way longer than this many times the distance that counts are rounded to
+// more than a hundred millionth of it.
+constexpr double kLongWay = 1e4;
 // A flight with less sideways speed than this share of its change of vertical speed counts
 // as straight up.
 constexpr double kSteep = 0.05;
@@ -68,8 +72,20 @@ std::optional<double> signChangeWithin(const Piece& piece, int index, double fro
 }  // namespace
 
 bool Foresight::isCoarse(const Body& body, const Piece& piece, double from, double to) const {
-  if (piece.polynomial) return departure(body, piece, from, to) > m_closeness;
-  return turnWithin(piece, from, to) > kArc;
+  if (!piece.polynomial && !isTethered(piece.mode)) return false;
+  const double allowed =
+      piece.polynomial ? m_closeness : kArcShare * std::min(body.length, kLongRope);
+  return departure(body, piece, from, to) > allowed;
+}
+
+/// The way of one as the other sees it is too long to be asked for where it comes so near.
+bool Foresight::isLong(const Path& a, const Path& b, double distance) {
+  Box ways{a.points[0] - b.points[0], a.points[0] - b.points[0]};
+  for (std::size_t i = 1; i < a.points.size(); ++i) {
+    ways.low = ways.low.cwiseMin(a.points[i] - b.points[i]);
+    ways.high = ways.high.cwiseMax(a.points[i] - b.points[i]);
+  }
+  return (ways.high - ways.low).maxCoeff() > kLongWay * distance;
 }
 
 /// Two taut ropes on one pivot whose lengths keep the weights apart at any angles.
@@ -90,15 +106,17 @@ std::optional<Foresight::Moment> Foresight::meetingBetween(const Body& a, const 
                                                            const Body& b, const Piece& pieceB,
                                                            double from, double to) const {
   if (!boxOf(a, pieceA, from, to).meets(boxOf(b, pieceB, from, to))) return std::nullopt;
-  if (isCoarse(a, pieceA, from, to) || isCoarse(b, pieceB, from, to)) {
+  const double touching = a.radius + b.radius;
+  const Path pathA = pathOf(a, pieceA, from, to), pathB = pathOf(b, pieceB, from, to);
+  if (isLong(pathA, pathB, touching) || isCoarse(a, pieceA, from, to) ||
+      isCoarse(b, pieceB, from, to)) {
     const double middle = 0.5 * (from + to);
     if (middle <= from || middle >= to) return std::nullopt;
     const std::optional<Moment> early = meetingBetween(a, pieceA, b, pieceB, from, middle);
     return early ? early : meetingBetween(a, pieceA, b, pieceB, middle, to);
   }
   const std::optional<Contact> contact =
-      firstContact(pathOf(a, pieceA, from, to), pathOf(b, pieceB, from, to), a.radius + b.radius,
-                   to - from, m_tolerance);
+      firstContact(pathA, pathB, touching, to - from, m_tolerance);
   if (!contact) return std::nullopt;
   return Moment{from + contact->u * (to - from), contact->pressing};
 }
@@ -225,7 +243,10 @@ std::optional<double> Foresight::taut(const Body& body, const Piece& piece) cons
 std::optional<double> Foresight::tautBetween(const Body& body, const Piece& piece, double from,
                                              double to, double outward) const {
   const double middle = 0.5 * (from + to);
-  if (isCoarse(body, piece, from, to) && from < middle && middle < to) {
+  const Path path = pathOf(body, piece, from, to);
+  const bool isTooLong =
+      isLong(path, Path::standing(body.pivot), body.length) || isCoarse(body, piece, from, to);
+  if (isTooLong && from < middle && middle < to) {
     const Box box = boxOf(body, piece, from, to);
     const Eigen::Vector2d farthest =
         (box.high - body.pivot).cwiseAbs().cwiseMax((box.low - body.pivot).cwiseAbs());
@@ -233,9 +254,8 @@ std::optional<double> Foresight::tautBetween(const Body& body, const Piece& piec
     const std::optional<double> early = tautBetween(body, piece, from, middle, outward);
     return early ? early : tautBetween(body, piece, middle, to, 0);
   }
-  return momentOf(firstTaut(pathOf(body, piece, from, to), body.pivot, body.length, to - from,
-                            outward, m_tolerance),
-                  from, to);
+  return momentOf(firstTaut(path, body.pivot, body.length, to - from, outward, m_tolerance), from,
+                  to);
 }
 
 std::optional<double> Foresight::stop(const Piece& piece) const {

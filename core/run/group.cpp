@@ -7,10 +7,10 @@
 namespace core {
 namespace {
 
-// Overlaps deeper than this share of the radii, and some more, are deep.
-constexpr double kDeep = 1e-3;
-constexpr double kSlight = 1e-6;  // [m]
-// The same share for surfaces, which nothing may leave.
+// Overlaps deeper than this are deep [m]; in large heaps, which are solved more loosely, as much
+// more.
+constexpr double kSlight = 1e-6;
+// The same for surfaces, which nothing may leave, as a share of the radius.
 constexpr double kOutside = 1e-4;
 // So often weights may evade those that stand; then they stand as well.
 constexpr int kMostRounds = 50;
@@ -118,7 +118,9 @@ void Engine::Group::addHit(int a, int b, const Eigen::Vector2d& normal, double r
   const Eigen::Vector2d closing = weights[localOf(a)].velocity - weights[localOf(b)].velocity;
   const double speed = restitution * closing.dot(normal);
   m_hit = static_cast<int>(contacts.size());
-  link({localOf(a), localOf(b), -normal, -speed * m_duration, 0, 0, 0}, b, 0);
+  const double radii = m_engine.m_bodies[a].radius + m_engine.m_bodies[b].radius;
+  const double realGap = (places[localOf(a)] - places[localOf(b)]).norm() - radii;
+  link({localOf(a), localOf(b), -normal, -speed * m_duration, 0, 0, 0}, b, realGap);
 }
 
 void Engine::Group::undoHit() {
@@ -193,7 +195,8 @@ Eigen::Vector2d Engine::Group::bendOf(int local) const {
   if (weights[local].track.isZero(0)) return {0, 0};
   const Body& body = m_engine.m_bodies[members[local]];
   const double turn = std::min(turnOf(local), kMostTurn);
-  return turn * turn / 2 * (body.pivot - places[local]);
+  const Eigen::Vector2d ahead = body.length * weights[local].velocity.normalized();
+  return (1 - std::cos(turn)) * (body.pivot - places[local]) + (std::sin(turn) - turn) * ahead;
 }
 
 /// Within the stretch, of one on a rope [rad].
@@ -268,7 +271,7 @@ double Engine::Group::excessAt(std::size_t index) const {
   if (contact.b >= 0) radii += m_engine.m_bodies[members[contact.b]].radius;
   const double bend = contact.gap - m_straightGaps[index];
   const double depth = closing * m_duration - (m_realGaps[index] + bend);
-  const double allowed = contact.b < 0 ? kOutside * radii : kSlight + kDeep * radii;
+  const double allowed = contact.b < 0 ? kOutside * radii : kSlight * m_engine.looseness();
   return depth > allowed ? depth / m_duration : 0;
 }
 

@@ -1,5 +1,6 @@
 #include "core/run/stepper.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/run/path_end.h"
@@ -102,6 +103,8 @@ Entries Stepper::step(const Body& body, const Piece& piece, double duration) {
       end = form.entries(stages.end, piece.beginState[1]);
     });
   });
+  // What air took is never given back: where the error in that is the larger, it took nothing.
+  end[4] = std::max(end[4], piece.beginState[4]);
   return end;
 }
 
