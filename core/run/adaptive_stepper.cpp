@@ -84,7 +84,7 @@ bool AdaptiveStepper::fillEmbedded(const Body& body, Piece& piece, Pace& pace) {
   const double end = piece.end, stretch = end - piece.begin;
   piece.beginSlope = firstSlope(body, piece, pace);
   if (pace.step <= 0) pace.step = firstStep(body, piece);
-  double step = evened(pace.step, stretch);
+  double step = evened(std::max(pace.step, kSmallestShare * end), stretch);
   Attempt attempt = attempted(body, piece, step);
   if (!(attempt.share <= 1)) {
     while (!(attempt.share <= 1)) {
