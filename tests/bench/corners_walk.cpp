@@ -2,7 +2,9 @@
 // and 1 s: whatever happens there, numbers stay finite, weights in the room and apart, and it
 // ends within a minute. Prints what does not hold; the test extremes_test walks a part of it.
 //
-//     corners_walk [STRIDE [STEPS]]          every corner; 20 steps of each
+//     corners_walk [STRIDE [STEPS [FIRST]]]      every corner; 20 steps of each; from 0
+//
+// Several share the walk, an hour or more of computing, with one stride and different firsts.
 
 #include <cstdio>
 #include <cstdlib>
@@ -14,12 +16,13 @@
 int main(int argc, char** argv) {
   const int stride = argc > 1 ? std::atoi(argv[1]) : 1;
   const int steps = argc > 2 ? std::atoi(argv[2]) : 20;
-  if (stride < 1 || steps < 1) {
-    std::fputs("corners_walk [STRIDE [STEPS]]\n", stderr);
+  const int first = argc > 3 ? std::atoi(argv[3]) : 0;
+  if (stride < 1 || steps < 1 || first < 0) {
+    std::fputs("corners_walk [STRIDE [STEPS [FIRST]]]\n", stderr);
     return 2;
   }
   int runs = 0, faults = 0;
-  for (int corner = 0; corner < 1 << tests::kCornerChoices; corner += stride)
+  for (int corner = first; corner < 1 << tests::kCornerChoices; corner += stride)
     for (const core::Method& method : core::methods())
       for (const double step : {1e-6, 1.0 / 60, 1.0}) {
         const core::Solver solver{std::string(method.id), step, 1e-6};
