@@ -95,7 +95,7 @@ std::vector<Stage> Stepper::stages(const Body& body, const Piece& piece) {
 Entries Stepper::step(const Body& body, const Piece& piece, double duration) {
   if (isStill(piece)) return piece.beginState;
   m_evaluations += m_method->slopesPerStep - 1;
-  Entries end;
+  Entries end = piece.beginState;
   withUnit([&](auto unit) {
     withMotion(body, piece, [&](const auto& motion, auto form) {
       const auto stages =
