@@ -70,7 +70,8 @@ std::optional<Contact> firstWallContact(const Bernstein<3>& distance, double spe
 std::optional<double> firstTaut(const Path& path, const Eigen::Vector2d& pivot, double length,
                                 double duration, double outwardAcceleration,
                                 const ContactTolerance& tolerance) {
-  Bernstein<6> room = squaredDistance(path, Path::standing(pivot));
+  const Path fixed{{pivot, pivot, pivot, pivot}, {0, 0}};
+  Bernstein<6> room = squaredDistance(path, fixed);
   const double startDistance = std::sqrt(room[0]);
   for (double& coefficient : room) coefficient = length * length - coefficient;
   if (length - startDistance > tolerance.gap) return firstFall<6>(room, 0);

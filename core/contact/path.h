@@ -26,10 +26,6 @@ struct Path {
         beginVelocity};
   }
 
-  static Path standing(const Eigen::Vector2d& place) {
-    return {{place, place, place, place}, {0, 0}};
-  }
-
   /// One coordinate as a polynomial [m]; 0 for x, 1 for y.
   Bernstein<3> coordinate(int axis) const {
     return {points[0][axis], points[1][axis], points[2][axis], points[3][axis]};

@@ -52,6 +52,19 @@ std::optional<double> momentOf(std::optional<double> u, double from, double to) 
   return from + *u * (to - from);
 }
 
+/// The way of a as b sees it.
+Path relative(Path a, const Path& b) {
+  for (std::size_t i = 0; i < a.points.size(); ++i) a.points[i] -= b.points[i];
+  a.velocity -= b.velocity;
+  return a;
+}
+
+/// Whether the way is too long to be asked where it comes so near.
+bool isLong(const Path& way, double distance) {
+  const Box box = boxAround(way, 0);
+  return (box.high - box.low).maxCoeff() > kLongWay * distance;
+}
+
 /// First moment in [from, to] where the entry's sign changes.
 /// @param isZero  the entry is zero at `from`, whatever rounding makes of it
 std::optional<double> signChangeWithin(const Piece& piece, int index, double from, double to,
@@ -78,16 +91,6 @@ bool Foresight::isCoarse(const Body& body, const Piece& piece, double from, doub
   return departure(body, piece, from, to) > allowed;
 }
 
-/// The way of one as the other sees it is too long to be asked for where it comes so near.
-bool Foresight::isLong(const Path& a, const Path& b, double distance) {
-  Box ways{a.points[0] - b.points[0], a.points[0] - b.points[0]};
-  for (std::size_t i = 1; i < a.points.size(); ++i) {
-    ways.low = ways.low.cwiseMin(a.points[i] - b.points[i]);
-    ways.high = ways.high.cwiseMax(a.points[i] - b.points[i]);
-  }
-  return (ways.high - ways.low).maxCoeff() > kLongWay * distance;
-}
-
 /// Two taut ropes on one pivot whose lengths keep the weights apart at any angles.
 bool Foresight::ropesKeepApart(const Body& a, const Piece& pieceA, const Body& b,
                                const Piece& pieceB) const {
@@ -106,19 +109,20 @@ std::optional<Foresight::Moment> Foresight::meetingBetween(const Body& a, const 
                                                            const Body& b, const Piece& pieceB,
                                                            double from, double to) const {
   if (!boxOf(a, pieceA, from, to).meets(boxOf(b, pieceB, from, to))) return std::nullopt;
-  const double touching = a.radius + b.radius;
-  const Path pathA = pathOf(a, pieceA, from, to), pathB = pathOf(b, pieceB, from, to);
-  if (isLong(pathA, pathB, touching) || isCoarse(a, pieceA, from, to) ||
-      isCoarse(b, pieceB, from, to)) {
-    const double middle = 0.5 * (from + to);
-    if (middle <= from || middle >= to) return std::nullopt;
-    const std::optional<Moment> early = meetingBetween(a, pieceA, b, pieceB, from, middle);
-    return early ? early : meetingBetween(a, pieceA, b, pieceB, middle, to);
+  if (!isCoarse(a, pieceA, from, to) && !isCoarse(b, pieceB, from, to)) {
+    const double touching = a.radius + b.radius;
+    const Path pathA = pathOf(a, pieceA, from, to), pathB = pathOf(b, pieceB, from, to);
+    if (!isLong(relative(pathA, pathB), touching)) {
+      const std::optional<Contact> contact =
+          firstContact(pathA, pathB, touching, to - from, m_tolerance);
+      if (!contact) return std::nullopt;
+      return Moment{from + contact->u * (to - from), contact->pressing};
+    }
   }
-  const std::optional<Contact> contact =
-      firstContact(pathA, pathB, touching, to - from, m_tolerance);
-  if (!contact) return std::nullopt;
-  return Moment{from + contact->u * (to - from), contact->pressing};
+  const double middle = 0.5 * (from + to);
+  if (middle <= from || middle >= to) return std::nullopt;
+  const std::optional<Moment> early = meetingBetween(a, pieceA, b, pieceB, from, middle);
+  return early ? early : meetingBetween(a, pieceA, b, pieceB, middle, to);
 }
 
 std::optional<Foresight::WallMoment> Foresight::wall(const Body& body, const Piece& piece,
@@ -244,9 +248,8 @@ std::optional<double> Foresight::tautBetween(const Body& body, const Piece& piec
                                              double to, double outward) const {
   const double middle = 0.5 * (from + to);
   const Path path = pathOf(body, piece, from, to);
-  const bool isTooLong =
-      isLong(path, Path::standing(body.pivot), body.length) || isCoarse(body, piece, from, to);
-  if (isTooLong && from < middle && middle < to) {
+  const bool isTooMuch = isLong(path, body.length) || isCoarse(body, piece, from, to);
+  if (isTooMuch && from < middle && middle < to) {
     const Box box = boxOf(body, piece, from, to);
     const Eigen::Vector2d farthest =
         (box.high - body.pivot).cwiseAbs().cwiseMax((box.low - body.pivot).cwiseAbs());

@@ -64,7 +64,6 @@ class Foresight {
  private:
   /// The path is not to be taken for the cubic through both ends.
   bool isCoarse(const Body& body, const Piece& piece, double from, double to) const;
-  static bool isLong(const Path& a, const Path& b, double distance);
   bool isInside(const Box& box) const;
   bool ropesKeepApart(const Body& a, const Piece& pieceA, const Body& b, const Piece& pieceB) const;
   std::optional<Moment> meetingBetween(const Body& a, const Piece& pieceA, const Body& b,

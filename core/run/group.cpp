@@ -192,9 +192,9 @@ void Engine::Group::solve(const ContactGoal& goal) {
 
 /// How far it leaves, within the stretch, the straight line along its velocity [m].
 Eigen::Vector2d Engine::Group::bendOf(int local) const {
-  if (weights[local].track.isZero(0)) return {0, 0};
-  const Body& body = m_engine.m_bodies[members[local]];
   const double turn = std::min(turnOf(local), kMostTurn);
+  if (turn == 0) return {0, 0};
+  const Body& body = m_engine.m_bodies[members[local]];
   const Eigen::Vector2d ahead = body.length * weights[local].velocity.normalized();
   return (1 - std::cos(turn)) * (body.pivot - places[local]) + (std::sin(turn) - turn) * ahead;
 }
