@@ -85,7 +85,7 @@ std::optional<double> firstTaut(const Path& path, const Eigen::Vector2d& pivot, 
   if (outwardAcceleration > 0) return 0.0;
   Bernstein<4> bending = withoutRootAtZero<5>(rest);
   bending[0] = -length * outwardAcceleration * duration * duration;
-  if (bending[0] > 2 * length * tolerance.gap) return firstFall<4>(bending, 0);
+  if (bending[0] > 0) return firstFall<4>(bending, 0);
   // A rope that just went slack: neither speed nor acceleration leads away from the circle,
   // only the third order opens the rope.
   return firstFall<3>(withoutRootAtZero<4>(bending), 2 * length * tolerance.gap);

@@ -47,7 +47,8 @@ std::optional<Contact> firstWallContact(const Bernstein<3>& distance, double spe
 /// @param length               [m], > 0
 /// @param outwardAcceleration  second derivative of the distance at the start [m/s²]. It
 ///                             decides where the weight starts on the circle and along it:
-///                             the path's own second derivative is only good to h².
+///                             the path's own second derivative is only good to h². Exactly
+///                             0 where it vanishes to within rounding.
 std::optional<double> firstTaut(const Path& path, const Eigen::Vector2d& pivot, double length,
                                 double duration, double outwardAcceleration,
                                 const ContactTolerance& tolerance);

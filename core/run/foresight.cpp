@@ -241,7 +241,7 @@ std::optional<double> Foresight::taut(const Body& body, const Piece& piece) cons
       stretch < travel * travel / body.length)
     return std::nullopt;
   return tautBetween(body, piece, piece.begin, piece.end,
-                     pulled ? outward : std::min(outward, 0.0));
+                     std::abs(outward) > rounding ? outward : 0);
 }
 
 std::optional<double> Foresight::tautBetween(const Body& body, const Piece& piece, double from,
