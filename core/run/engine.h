@@ -70,6 +70,8 @@ class Engine {
     int meetings = 0;         // with other weights in this step
     bool asleep = false;
     double stillFor = 0;
+    // What hits have changed its velocity by, each too little to tell its neighbours [m/s].
+    Eigen::Vector2d untold{0, 0};
   };
   struct FinishedPiece {
     Piece piece;

@@ -97,7 +97,9 @@ void Engine::settle(double s, bool foresee) {
     m_fastestSettled = std::max(m_fastestSettled, weight.velocity.norm());
   // Those found within reach may be pushed as well, asleep or not, and need their contacts.
   for (int local = 0; local < group.size(); ++local) {
-    m_moving[group.members[local]].asleep = false;
+    Moving& moving = m_moving[group.members[local]];
+    moving.asleep = false;
+    moving.untold.setZero();
     group.expand(local);
   }
   pull(group, s, duration);

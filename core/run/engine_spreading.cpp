@@ -13,30 +13,38 @@ namespace {
 constexpr double kHitGap = 3e-7;
 // Where that is soon, a hit still goes on until its changes are this slow [m/s].
 constexpr double kCoarsest = 1e-2;
+// What gaps that are widened may cost, as a share of the kinetic energy that was there.
+constexpr double kBought = 1e-2;
 
 }  // namespace
 
 void Engine::hitGroup(int a, int b, double s, const Eigen::Vector2d& normal, double restitution,
                       const std::vector<int>& landing) {
   const double duration = std::max(boundaryAfter(s) - s, 1e-9);
-  Group group(*this, s, duration, false);
-  group.addHit(a, b, normal, restitution);
   const double tolerance = std::min(looseness() * kHitGap / duration, kCoarsest);
   const ContactGoal goal{tolerance, mostSweeps()};
-  HitWave(group, goal, duration).run();
-  double lost = group.loss();
-  if (lost < 0) {
-    soften(group, goal, duration, restitution);
-    lost = group.loss();
+  // A weight whose rope is nearly jammed between the others cannot give way along its circle: what
+  // it drives off instead may gain more than there is. Then circles are left to stopUnsolved().
+  for (const bool bends : {true, false}) {
+    Group group(*this, s, duration, false);
+    group.addHit(a, b, normal, restitution);
+    if (!bends) group.straighten();
+    HitWave(group, goal, duration).run();
+    double lost = group.loss();
+    if (lost < 0) {
+      soften(group, goal, duration, restitution);
+      lost = group.loss();
+    }
+    if (bends && lost < -kBought * group.kineticEnergyBefore()) continue;
+    // Gaps that are too narrow are widened at some cost, and rounding may leave −10⁻¹⁵ of nothing.
+    lost = std::max(0.0, lost);
+    const double lostInHit =
+        std::clamp(pushLoss({group.contacts.data(), 1}, group.unkicked, group.weights), 0.0, lost);
+    loseQuietly(s, lost - lostInHit, 0);
+    loseQuietly(s, group.stopUnsolved(), 0);
+    if (group.contacts.front().push > 0) logHit(group, s, lostInHit, landing);
+    return moveSpread(group, s);
   }
-  // Gaps that are too narrow are widened at some cost, and rounding may leave −10⁻¹⁵ of nothing.
-  lost = std::max(0.0, lost);
-  const double lostInHit =
-      std::clamp(pushLoss({group.contacts.data(), 1}, group.unkicked, group.weights), 0.0, lost);
-  loseQuietly(s, lost - lostInHit, 0);
-  loseQuietly(s, group.stopUnsolved(), 0);
-  if (group.contacts.front().push > 0) logHit(group, s, lostInHit, landing);
-  moveSpread(group, s);
 }
 
 /// Weights that part from each other and are pushed together again by the hit may gain more than
@@ -95,8 +103,11 @@ void Engine::logHit(const Group& group, double s, double lost, const std::vector
 void Engine::moveSpread(const Group& group, double s) {
   std::vector<int> moved;
   for (std::size_t k = 0; k < group.members.size(); ++k) {
-    if (k >= 2 && group.weights[k].velocity == group.unkicked[k]) continue;
     const int index = group.members[k];
+    m_moving[index].untold.setZero();
+    if (m_moving[index].piece.settled)
+      m_moving[index].untold = group.weights[k].velocity - group.told[k];
+    if (k >= 2 && group.weights[k].velocity == group.unkicked[k]) continue;
     moved.push_back(index);
     m_moving[index].asleep = false;
     m_moving[index].stillFor = 0;

@@ -10,7 +10,7 @@ namespace {
 // Overlaps deeper than this are deep [m]; in large heaps, which are solved more loosely, as much
 // more.
 constexpr double kSlight = 1e-6;
-// The same for surfaces, which nothing may leave, as a share of the radius.
+// Nor may anything leave the room by more than this share of its radius.
 constexpr double kOutside = 1e-4;
 // So often weights may evade those that stand; then they stand as well.
 constexpr int kMostRounds = 50;
@@ -48,6 +48,7 @@ void Engine::Group::add(int index) {
   m_hasRopes = m_hasRopes || isTethered(piece.mode);
   weights.push_back(weight);
   unkicked.push_back(weight.velocity);
+  told.push_back(weight.velocity - m_engine.m_moving[index].untold);
   m_reach.push_back(reachAt(weight.velocity.norm()));
   m_expanded.push_back(false);
   m_firstContact.push_back(-1);
@@ -124,7 +125,10 @@ void Engine::Group::addHit(int a, int b, const Eigen::Vector2d& normal, double r
 }
 
 void Engine::Group::undoHit() {
-  for (std::size_t k = 0; k < weights.size(); ++k) weights[k].velocity = unkicked[k];
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    weights[k].velocity = unkicked[k];
+    told[k] = unkicked[k] - m_engine.m_moving[members[k]].untold;
+  }
   for (RestingContact& contact : contacts) contact.push = contact.drag = 0;
   contacts[m_hit].gap = m_straightGaps[m_hit] = 0;
 }
@@ -199,6 +203,13 @@ Eigen::Vector2d Engine::Group::bendOf(int local) const {
   return (1 - std::cos(turn)) * (body.pivot - places[local]) + (std::sin(turn) - turn) * ahead;
 }
 
+/// How much nearer than along straight lines the two of a contact come to each other [m], ≤ 0.
+double Engine::Group::bendAt(const RestingContact& contact) const {
+  Eigen::Vector2d apart = bendOf(contact.a);
+  if (contact.b >= 0) apart -= bendOf(contact.b);
+  return std::min(0.0, apart.dot(contact.normal));
+}
+
 /// Within the stretch, of one on a rope [rad].
 double Engine::Group::turnOf(int local) const {
   if (weights[local].track.isZero(0)) return 0;
@@ -206,13 +217,11 @@ double Engine::Group::turnOf(int local) const {
 }
 
 bool Engine::Group::bend() {
-  if (!m_hasRopes) return false;
+  if (!m_hasRopes || !m_bends) return false;
   bool differs = false;
   for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
     RestingContact& contact = contacts[i];
-    Eigen::Vector2d apart = bendOf(contact.a);
-    if (contact.b >= 0) apart -= bendOf(contact.b);
-    const double nearer = std::min(0.0, apart.dot(contact.normal));
+    const double nearer = bendAt(contact);
     const double straight = m_straightGaps[i];
     const double gap = i == m_hit ? std::min(straight, nearer) : straight + nearer;
     if (gap > contact.gap - kSlightBend) continue;
@@ -266,18 +275,25 @@ double Engine::Group::excessAt(std::size_t index) const {
   const Eigen::Vector2d still = Eigen::Vector2d::Zero();
   const Eigen::Vector2d& other = contact.b < 0 ? still : weights[contact.b].velocity;
   const double closing = (other - weights[contact.a].velocity).dot(contact.normal);
-  if (closing <= 0) return 0;
-  double radii = m_engine.m_bodies[members[contact.a]].radius;
-  if (contact.b >= 0) radii += m_engine.m_bodies[members[contact.b]].radius;
-  const double bend = contact.gap - m_straightGaps[index];
-  const double depth = closing * m_duration - (m_realGaps[index] + bend);
-  const double allowed = contact.b < 0 ? kOutside * radii : kSlight * m_engine.looseness();
+  const double nearer = closing * m_duration - bendAt(contact);
+  if (nearer <= 0) return 0;
+  const double depth = nearer - m_realGaps[index];
+  double allowed = kSlight * m_engine.looseness();
+  if (contact.b < 0)
+    allowed = std::min(allowed, kOutside * m_engine.m_bodies[members[contact.a]].radius);
   return depth > allowed ? depth / m_duration : 0;
 }
 
 double Engine::Group::kineticEnergy() const {
   double energy = 0;
   for (const RestingWeight& weight : weights) energy += core::kineticEnergy(weight);
+  return energy;
+}
+
+double Engine::Group::kineticEnergyBefore() const {
+  double energy = 0;
+  for (std::size_t k = 0; k < weights.size(); ++k)
+    energy += core::kineticEnergy({unkicked[k], weights[k].mass});
   return energy;
 }
 
@@ -299,6 +315,7 @@ double Engine::Group::stopUnsolved() {
     weights[local].velocity.setZero();
     stands[local] = 1;
   };
+  const auto energyOf = [&](int local) { return core::kineticEnergy(weights[local]); };
   for (int round = 0; !isSolved; ++round) {
     isSolved = true;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -314,8 +331,7 @@ double Engine::Group::stopUnsolved() {
         moving.velocity += (isWall ? excess : -excess) * contacts[i].normal;
         continue;
       }
-      stop(a);
-      if (b >= 0) stop(b);
+      stop(isWall || (!stands[a] && energyOf(a) < energyOf(b)) ? a : b);
     }
   }
   for (std::size_t k = known; k < members.size(); ++k)

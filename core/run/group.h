@@ -43,6 +43,8 @@ class Engine::Group {
   void addHit(int a, int b, const Eigen::Vector2d& normal, double restitution);
   /// Takes all pushes back; the two that hit each other shall part no more than by gaps of others.
   void undoHit();
+  /// From now on circles are taken as straight lines, but by stopUnsolved().
+  void straighten() { m_bends = false; }
   int size() const { return static_cast<int>(members.size()); }
   int localOf(int index) const { return m_engine.m_localOf[index]; }
   bool isExpanded(int local) const { return m_expanded[local]; }
@@ -79,6 +81,8 @@ class Engine::Group {
   /// @return  the kinetic energy that takes [J]
   double stopUnsolved();
 
+  /// Of the members when they came [J].
+  double kineticEnergyBefore() const;
   /// What pushes and drags took from the members since they came [J].
   double loss() const;
 
@@ -91,6 +95,7 @@ class Engine::Group {
   std::vector<RestingContact> contacts;   // refer to places in `members`
   std::vector<int> keys;                  // of contacts: other weight, or Surface
   std::vector<Eigen::Vector2d> unkicked;  // velocities when they became members [m/s]
+  std::vector<Eigen::Vector2d> told;      // velocities their neighbours know of [m/s]
   std::vector<Support> support;           // of members
 
  private:
@@ -103,6 +108,7 @@ class Engine::Group {
   void addSurfacesOf(int local);
   double widened(double gap) const;
   Eigen::Vector2d bendOf(int local) const;
+  double bendAt(const RestingContact& contact) const;
   double turnOf(int local) const;
   bool turnsFar(int local) const;
   Piece wayOf(int local) const;
@@ -118,6 +124,7 @@ class Engine::Group {
   bool m_widens;
   int m_hit = -1;  // the contact whose gap says how fast the two shall part; −1: none
   bool m_hasRopes = false;
+  bool m_bends = true;
   std::vector<double> m_realGaps;      // of contacts, without a skin [m]
   std::vector<double> m_straightGaps;  // likewise to be kept, as none of the two bends [m]
   std::vector<int> m_firstContact;     // of members; −1: none

@@ -40,9 +40,6 @@ void Engine::HitWave::lookAround(int local) {
 }
 
 void Engine::HitWave::addRows() {
-  // Sweeps may have moved those they found: their own neighbours know only of `unkicked`.
-  for (std::size_t k = m_told.size(); k < m_group.members.size(); ++k)
-    m_told.push_back(m_group.unkicked[k]);
   for (std::size_t i = m_rows.size(); i < m_group.contacts.size(); ++i) {
     const RestingContact& contact = m_group.contacts[i];
     PushRow row = pushRow(contact, m_group.weights, m_duration);
@@ -109,13 +106,13 @@ void Engine::HitWave::brake(int index) {
 
 void Engine::HitWave::tell(int local) {
   if (!hasChanged(local)) return;
-  m_told[local] = m_group.weights[local].velocity;
+  m_group.told[local] = m_group.weights[local].velocity;
   lookAround(local);
   m_group.forEachContact(local, [&](int row) { enqueue(row); });
 }
 
 bool Engine::HitWave::hasChanged(int local) const {
-  const Eigen::Vector2d change = m_group.weights[local].velocity - m_told[local];
+  const Eigen::Vector2d change = m_group.weights[local].velocity - m_group.told[local];
   return change.squaredNorm() > m_goal.tolerance * m_goal.tolerance;
 }
 
@@ -128,7 +125,7 @@ void Engine::HitWave::sweep() {
   addRows();
   for (int local = 0, count = m_group.size(); local < count; ++local) {
     if (!hasChanged(local)) continue;
-    m_told[local] = m_group.weights[local].velocity;
+    m_group.told[local] = m_group.weights[local].velocity;
     lookAround(local);
   }
 }

@@ -41,9 +41,8 @@ class Engine::HitWave {
   Group& m_group;
   ContactGoal m_goal;
   double m_duration;
-  std::vector<PushRow> m_rows;          // of the group's contacts; surfaces: b is a
-  std::vector<Eigen::Vector2d> m_told;  // of members: the velocity neighbours know of [m/s]
-  std::vector<int> m_queue;             // of rows to be set right, from m_next on
+  std::vector<PushRow> m_rows;  // of the group's contacts; surfaces: b is a
+  std::vector<int> m_queue;     // of rows to be set right, from m_next on
   std::size_t m_next = 0;
   std::vector<char> m_waits;  // of rows: in the queue
 };
