@@ -77,18 +77,19 @@ std::optional<double> firstTaut(const Path& path, const Eigen::Vector2d& pivot, 
   if (length - startDistance > tolerance.gap) return firstFall<6>(room, 0);
   const double closing = path.velocity.dot(path.points[0] - pivot) / startDistance;
   if (closing > tolerance.speed) return 0.0;
+  const double rounding = 2 * length * tolerance.gap;
   Bernstein<5> rest = withoutRootAtZero<6>(room);
   if (closing < -tolerance.speed) {
     rest[0] = -2 * startDistance * closing * duration;
-    return firstFall<5>(rest, 2 * length * tolerance.gap);
+    return firstFall<5>(rest, rounding);
   }
   if (outwardAcceleration > 0) return 0.0;
   Bernstein<4> bending = withoutRootAtZero<5>(rest);
   bending[0] = -length * outwardAcceleration * duration * duration;
-  if (bending[0] > 0) return firstFall<4>(bending, 0);
+  if (bending[0] > 0) return firstFall<4>(bending, bending[0] > rounding ? 0 : rounding);
   // A rope that just went slack: neither speed nor acceleration leads away from the circle,
   // only the third order opens the rope.
-  return firstFall<3>(withoutRootAtZero<4>(bending), 2 * length * tolerance.gap);
+  return firstFall<3>(withoutRootAtZero<4>(bending), rounding);
 }
 
 }  // namespace core

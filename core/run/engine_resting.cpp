@@ -96,16 +96,24 @@ void Engine::settle(double s, bool foresee) {
   for (const RestingWeight& weight : group.weights)
     m_fastestSettled = std::max(m_fastestSettled, weight.velocity.norm());
   // Those found within reach may be pushed as well, asleep or not, and need their contacts.
-  for (int local = 0; local < group.size(); ++local) {
-    Moving& moving = m_moving[group.members[local]];
-    moving.asleep = false;
-    moving.untold.setZero();
-    group.expand(local);
-  }
+  int known = 0;
+  const auto expand = [&] {
+    for (; known < group.size(); ++known) {
+      Moving& moving = m_moving[group.members[known]];
+      moving.asleep = false;
+      moving.untold.setZero();
+      group.expand(known);
+    }
+  };
+  expand();
   pull(group, s, duration);
   warmStart(group);
-  group.solve(
-      {std::clamp(kShare * m_fastestSettled, kFinest, kCoarsest * looseness()), mostSweeps()});
+  const ContactGoal goal{std::clamp(kShare * m_fastestSettled, kFinest, kCoarsest * looseness()),
+                         mostSweeps()};
+  do {
+    expand();
+    group.solve(goal);
+  } while (known < group.size());
   letGo(group, s);
   loseQuietly(s, std::max(0.0, pushLoss(group.contacts, group.unkicked, group.weights)),
               std::max(0.0, dragLoss(group.contacts, group.unkicked, group.weights)));
