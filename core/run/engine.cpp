@@ -17,9 +17,9 @@ ContactTolerance toleranceFor(const Scene& scene) {
 }
 
 /// A graze shallower than this may be overlooked [m]: a thousandth of what an adaptive method
-/// tolerates in a step.
+/// tolerates in a step, and little beside 1 µm: what is overlooked adds up over many.
 double closenessFor(double tolerance) {
-  return std::clamp(1e-3 * tolerance, 1e-10, 1e-6);
+  return std::clamp(1e-3 * tolerance, 1e-10, 1e-7);
 }
 
 }  // namespace
@@ -104,6 +104,7 @@ void Engine::beginStep() {
   m_finished.clear();
   m_queue.clear();
   m_ownSteps = 0;
+  m_solvedAt = 0;
   m_diverged = false;
   m_stalled = false;
 }

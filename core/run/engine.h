@@ -178,6 +178,9 @@ class Engine {
                        const Eigen::Vector2d& velocity) const;
   void loseQuietly(double s, double impacts, double friction);
   double boundaryAfter(double s) const;
+  /// When the stretch ends that begins there. An event may be placed before one that was dealt with
+  /// earlier, by less than its method errs: a stretch that is over by then is not come back to.
+  double stretchEnd(double s) const { return boundaryAfter(std::max(s, m_solvedAt)); }
   /// How much less exactly groups as large as the largest now are solved, ≥ 1.
   double looseness() const;
   /// How far weights that lean on each other are kept apart [m].
@@ -218,7 +221,8 @@ class Engine {
   std::vector<Moving> m_moving;
   std::vector<FinishedPiece> m_finished;
   double m_fastestSettled = 0;  // since forces were found anew [m/s]
-  int m_settledCount = 0;       // awake, when forces were found anew
+  double m_solvedAt = 0;        // when forces in groups were found anew [s]
+  int m_settledCount = 0;       // awake, at that moment
   std::vector<int> m_localOf;   // of weights in the group being solved, or −1
   std::vector<Box> m_boxes;
   BroadPhase m_broadPhase{m_boxes};

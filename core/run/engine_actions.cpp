@@ -49,7 +49,7 @@ void Engine::goOn(int index, double s, const Entries& before, Mode mode, const E
     m_finished.push_back({done, moving.finished});
     moving.finished = static_cast<int>(m_finished.size()) - 1;
   }
-  const double end = settled && !moving.asleep ? boundaryAfter(s) : m_solver.step;
+  const double end = settled && !moving.asleep ? stretchEnd(s) : m_solver.step;
   moving.piece = {.begin = s, .end = end, .mode = mode, .tied = tied, .settled = settled};
   moving.piece.beginState = after;
   if (settled)

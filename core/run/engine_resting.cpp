@@ -86,6 +86,7 @@ std::vector<int> Engine::wakeTouching() {
 }
 
 void Engine::settle(double s, bool foresee) {
+  m_solvedAt = s;
   const std::vector<int> members = wakeTouching();
   if (members.empty()) return;
   const double duration = boundaryAfter(s) - s;

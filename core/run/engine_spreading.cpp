@@ -20,7 +20,7 @@ constexpr double kBought = 1e-2;
 
 void Engine::hitGroup(int a, int b, double s, const Eigen::Vector2d& normal, double restitution,
                       const std::vector<int>& landing) {
-  const double duration = std::max(boundaryAfter(s) - s, 1e-9);
+  const double duration = std::max(stretchEnd(s) - s, 1e-9);
   const double tolerance = std::min(looseness() * kHitGap / duration, kCoarsest);
   const ContactGoal goal{tolerance, mostSweeps()};
   // A weight whose rope is nearly jammed between the others cannot give way along its circle: what
