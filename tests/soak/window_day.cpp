@@ -1,11 +1,14 @@
 #include "tests/soak/window_day.h"
 
+#include <chrono>
 #include <malloc.h>
 
 #include <QAction>
 #include <QApplication>
+#include <QDeadlineTimer>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QThread>
 
 #include "ui/control/commands.h"
 #include "ui/control/draft_keeper.h"
@@ -127,10 +130,28 @@ void WindowDay::changeAndUndo() {
   editor->setSaved();
 }
 
+/// Charts catch up after a pause, which ends when the machine has time for it.
+void WindowDay::waitUntilStill() const {
+  constexpr int kPause = 50;  // [ms]
+  constexpr int kAlike = 10;
+  QDeadlineTimer patience(std::chrono::seconds(30));
+  int before = -1;
+  for (int alike = 0; alike < kAlike && !patience.hasExpired();) {
+    QThread::msleep(kPause);
+    settle();
+    alike = objectCount() == before ? alike + 1 : 0;
+    before = objectCount();
+  }
+}
+
+int WindowDay::objectCount() const {
+  return static_cast<int>(m_window->findChildren<QObject*>().size());
+}
+
 WindowFigures WindowDay::figures() const {
-  settle();
+  waitUntilStill();
   malloc_trim(0);
   return {.process = figuresNow(),
-          .objects = static_cast<int>(m_window->findChildren<QObject*>().size()),
+          .objects = objectCount(),
           .windows = static_cast<int>(QApplication::topLevelWidgets().size())};
 }

@@ -38,6 +38,8 @@ class WindowDay {
   void writeFiles();
   void changeAndUndo();
   void showWhenToCut();
+  void waitUntilStill() const;
+  int objectCount() const;
 
   int m_lessons;
   std::unique_ptr<QTemporaryDir> m_folder;
