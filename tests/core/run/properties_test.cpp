@@ -62,9 +62,9 @@ struct Case {
 };
 
 // In which something was wrong once.
-constexpr std::array<std::uint32_t, 18> kFaultyOnce{1289,  1072,  5288,  5061,  5012,  1728,
-                                                    10058, 10242, 8279,  4604,  6874,  54880,
-                                                    55830, 60345, 56182, 59206, 25954, 26350};
+constexpr std::array<std::uint32_t, 19> kFaultyOnce{1289,  1072,  5288,  5061,  5012,  1728,  10058,
+                                                    10242, 8279,  4604,  6874,  54880, 55830, 60345,
+                                                    56182, 59206, 25954, 26350, 202210};
 
 /// Looks at so many scenes; `faultIn` says what is wrong with one, in words.
 void forEachSeed(const std::function<std::string(const Case&)>& faultIn) {
@@ -155,6 +155,15 @@ bool hasRested(const Run& run) {
   for (int i = 0; i < run.weightCount(); ++i)
     if (run.weight(i).phase == core::Phase::kResting) return true;
   return false;
+}
+
+/// Whether impacts took more in the latest step than its events list: weights lean on each other,
+/// though none came to rest. Rounding makes 10⁻¹⁵ of it, and of what was there.
+bool hasLeaned(const Run& run, double lostBefore, double scale) {
+  double listed = 0;
+  for (const core::Event& event : run.stepEvents())
+    if (event.kind != EventKind::kTaut) listed += event.energyLost;
+  return run.energies().lostToImpacts - lostBefore > listed + 1e-13 * scale;
 }
 
 /// A run and what becomes of it where all starts a little aside: that says how closely anything
@@ -260,8 +269,9 @@ void PropertiesTest::losesNothingThatIsNotListed() {
       scale += weight.mass * run.scene().gravity * run.scene().room.height;
     bool heaped = false;
     while (run.stepCount() < exact.steps()) {
+      const double lostBefore = run.energies().lostToImpacts;
       run.advance();
-      heaped = heaped || hasRested(run);
+      heaped = heaped || hasRested(run) || hasLeaned(run, lostBefore, scale);
       const double drift = std::abs(run.energies().numericalDrift) / scale;
       // Weights that lean on each other move by steps of first order.
       if (drift > (heaped ? 0.02 : 1e-8)) return "drift of " + core::numberText(drift);
