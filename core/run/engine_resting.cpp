@@ -111,10 +111,11 @@ void Engine::settle(double s, bool foresee) {
   warmStart(group);
   const ContactGoal goal{std::clamp(kShare * m_fastestSettled, kFinest, kCoarsest * looseness()),
                          mostSweeps()};
-  do {
+  group.solve(goal);
+  while (known < group.size()) {  // it has brought in others
     expand();
     group.solve(goal);
-  } while (known < group.size());
+  }
   letGo(group, s);
   loseQuietly(s, std::max(0.0, pushLoss(group.contacts, group.unkicked, group.weights)),
               std::max(0.0, dragLoss(group.contacts, group.unkicked, group.weights)));
