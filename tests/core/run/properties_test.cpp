@@ -8,7 +8,6 @@
 #include <random>
 #include <string>
 #include <thread>
-#include <tuple>
 #include <vector>
 
 #include <QtTest>
@@ -20,6 +19,7 @@
 #include "tests/support/fingerprint.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/run_watch.h"
+#include "tests/support/run_with_twins.h"
 
 using core::EventKind;
 using core::Run;
@@ -27,6 +27,9 @@ using core::RunStatus;
 using core::Scene;
 using Eigen::Vector2d;
 using tests::fingerprint;
+using tests::largestDistance;
+using tests::RunWithTwins;
+using tests::stepEvents;
 
 namespace {
 
@@ -116,38 +119,6 @@ Scene mirrored(Scene scene) {
   return scene;
 }
 
-/// The same with every weight moved that far, up or down and left or right by chance [m].
-Scene nudged(Scene scene, double size, std::uint32_t seed) {
-  std::mt19937 random(seed);
-  const auto nudge = [&] { return random() % 2 == 0 ? size : -size; };
-  for (core::Weight& weight : scene.weights) {
-    const double x = nudge();
-    weight.position += Vector2d(x, nudge());
-    if (weight.rope) weight.rope->angle += nudge() / weight.rope->length;
-  }
-  return scene;
-}
-
-/// The events of the latest step, in an order that does not depend on how their times are rounded.
-std::vector<std::tuple<EventKind, int, int>> stepEvents(const Run& run, bool isImage = false) {
-  std::vector<std::tuple<EventKind, int, int>> events;
-  for (const core::Event& event : run.stepEvents()) {
-    EventKind kind = event.kind;
-    if (isImage && event.kind == EventKind::kImpactWest) kind = EventKind::kImpactEast;
-    if (isImage && event.kind == EventKind::kImpactEast) kind = EventKind::kImpactWest;
-    events.emplace_back(kind, event.weight, event.other);
-  }
-  std::ranges::sort(events);
-  return events;
-}
-
-double largestDistance(const Run& a, const std::function<Vector2d(int)>& placeInB) {
-  double largest = 0;
-  for (int i = 0; i < a.weightCount(); ++i)
-    largest = std::max(largest, (a.weight(i).position - placeInB(i)).norm());
-  return largest;
-}
-
 /// Whether weights lean on others, or lie on the floor.
 bool hasRested(const Run& run) {
   const auto rests = [](const core::Event& event) { return event.kind == EventKind::kRest; };
@@ -165,48 +136,6 @@ bool hasLeaned(const Run& run, double lostBefore, double scale) {
     if (event.kind != EventKind::kTaut) listed += event.energyLost;
   return run.energies().lostToImpacts - lostBefore > listed + 1e-13 * scale;
 }
-
-/// A run and what becomes of it where all starts a little aside: that says how closely anything
-/// can be told there.
-class RunWithTwins {
- public:
-  RunWithTwins(const Case& one, const Scene& scene) : run(started(one, scene)) {
-    // A ten-billionth of a meter, and what the last digits of places may be off by: the least
-    // nudges find moments at which a rounding decides, such as two impacts at once.
-    for (const double size : {1e-10, 1e-10, 1e-15, 2e-15, 4e-15, 8e-15}) {
-      const Scene aside = nudged(scene, size, one.seed + 100 * static_cast<int>(m_twins.size()));
-      if (core::problemsIn(aside).empty()) m_twins.push_back(started(one, aside));
-    }
-  }
-
-  bool advance() {
-    const bool goesOn = run.advance() == RunStatus::kRunning;
-    for (Run& twin : m_twins) {
-      m_isTold = m_isTold && (twin.advance() == RunStatus::kRunning) == goesOn &&
-                 stepEvents(twin) == stepEvents(run);
-      m_uncertain =
-          std::max(m_uncertain,
-                   largestDistance(run, [&](int k) { return Vector2d(twin.weight(k).position); }));
-    }
-    return goesOn;
-  }
-
-  /// Whether all go the same way still: else a rounding decides.
-  bool isTold() const { return m_isTold && m_uncertain < 1e-6; }
-  /// How far apart they have been at most [m].
-  double uncertain() const { return m_uncertain; }
-
-  Run run;
-
- private:
-  static Run started(const Case& one, const Scene& scene) {
-    return Run(std::make_shared<const Scene>(scene), one.solver);
-  }
-
-  std::vector<Run> m_twins;
-  double m_uncertain = 0;
-  bool m_isTold = true;
-};
 
 /// Plays a run as the window does, in frames of uneven length.
 std::vector<double> playedInFrames(const Case& one, std::uint32_t seed) {
@@ -339,7 +268,8 @@ void PropertiesTest::movesAsItsMirrorImage() {
   forEachSeed([&](const Case& one) -> std::string {
     const Scene imageScene = mirrored(one.scene);
     if (!core::problemsIn(imageScene).empty()) return {};
-    RunWithTwins original(one, one.scene), image(one, imageScene);
+    RunWithTwins original(one.scene, one.solver, one.seed);
+    RunWithTwins image(imageScene, one.solver, one.seed);
     const Run& run = original.run;
     const auto imagePlace = [&](int i) {
       const Vector2d place = image.run.weight(i).position;
