@@ -128,7 +128,7 @@ class Engine {
   void passApex(const Upcoming& event);
   void goSlack(const Upcoming& event);
   void goTaut(const Upcoming& event);
-  double clearAngle(int index, double s, double angle);
+  double clearAngle(int index, double s, double angle, double reach);
   void stopSliding(const Upcoming& event);
 
   /// Ends the weight's piece at s in state `before` and starts another one from `after`.

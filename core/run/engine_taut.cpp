@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "core/run/engine.h"
 
@@ -16,61 +18,79 @@ constexpr double kOffCircle = 1e-9;
 // Multiple of the way along a tangent that leads so far off the circle.
 constexpr double kFarthestAside = 2;
 
-/// Of two angles the one nearer to a third, all in rad and taken around the circle.
-double nearer(double one, double other, double angle) {
-  const auto away = [angle](double candidate) {
-    return std::abs(std::remainder(candidate - angle, 2 * std::numbers::pi));
-  };
-  return away(one) <= away(other) ? one : other;
-}
+/// The angles less than `half` away from `middle`, in rad and taken around the circle.
+struct Arc {
+  double middle;
+  double half;
 
-/// The angle nearest to `angle` at which a point at `length` from the origin lies at least
-/// `distance` from `obstacle`; the angle itself if it does, or if none does.
-double beside(double angle, double length, const Eigen::Vector2d& obstacle, double distance) {
-  const Eigen::Vector2d place(length * std::sin(angle), -length * std::cos(angle));
-  if ((place - obstacle).norm() >= distance || obstacle.norm() == 0) return angle;
+  double farFrom(double angle) const {
+    return std::abs(std::remainder(angle - middle, 2 * std::numbers::pi)) - half;
+  }
+};
+
+/// Where a point at `length` from the origin lies nearer than `distance` to `obstacle`. Nothing
+/// where no or every place on the circle does: there is no clear one to be told from others.
+std::optional<Arc> blockedBy(const Eigen::Vector2d& obstacle, double distance, double length) {
   const double away = obstacle.norm();
+  if (away == 0) return std::nullopt;
   const double cosine = (length * length + away * away - distance * distance) / (2 * length * away);
-  if (std::abs(cosine) > 1) return angle;
-  const double toObstacle = std::atan2(obstacle.x(), -obstacle.y());
-  const double turn = std::acos(cosine);
-  return nearer(toObstacle + turn, toObstacle - turn, angle);
+  if (std::abs(cosine) > 1) return std::nullopt;
+  return Arc{std::atan2(obstacle.x(), -obstacle.y()), std::acos(cosine)};
 }
 
-/// The angle nearest to `angle` at which length · sin(angle − from) ≥ lowest; the angle itself
-/// if it does, or if none does.
-double inside(double angle, double length, double from, double lowest) {
-  if (length * std::sin(angle - from) >= lowest || std::abs(lowest) > length) return angle;
-  const double turn = std::asin(lowest / length);
-  return nearer(from + turn, from + std::numbers::pi - turn, angle);
+/// Where length · sin(angle − from) < lowest; nothing where no or every angle is such.
+std::optional<Arc> blockedBy(double from, double lowest, double length) {
+  if (std::abs(lowest) > length) return std::nullopt;
+  return Arc{from - 0.5 * std::numbers::pi, 0.5 * std::numbers::pi + std::asin(lowest / length)};
+}
+
+/// The angle nearest to `angle` outside of every arc, no farther from it than `reach`; the angle
+/// itself where there is none.
+double outside(const std::vector<Arc>& arcs, double angle, double reach) {
+  // rad: the end of an arc is outside of it.
+  constexpr double kRounding = 1e-12;
+  const auto isClear = [&arcs](double candidate) {
+    return std::ranges::all_of(
+        arcs, [candidate](const Arc& arc) { return arc.farFrom(candidate) >= -kRounding; });
+  };
+  if (isClear(angle)) return angle;
+  double best = angle;
+  double nearest = reach;
+  for (const Arc& arc : arcs) {
+    for (const double end : {arc.middle - arc.half, arc.middle + arc.half}) {
+      const double aside = std::remainder(end - angle, 2 * std::numbers::pi);
+      if (std::abs(aside) > nearest || !isClear(end)) continue;
+      best = angle + aside;
+      nearest = std::abs(aside);
+    }
+  }
+  return best;
 }
 
 }  // namespace
 
-double Engine::clearAngle(int index, double s, double angle) {
-  // What one obstacle pushes the weight into shows in the next round.
-  constexpr int kRounds = 4;
+double Engine::clearAngle(int index, double s, double angle, double reach) {
   const Body& body = m_bodies[index];
   const double halfPi = 0.5 * std::numbers::pi;
   const Room& room = m_scene->room;
-  for (int round = 0; round < kRounds; ++round) {
-    const double before = angle;
-    angle = inside(angle, body.length, 0, body.radius - body.pivot.x());
-    angle = inside(angle, body.length, 2 * halfPi, body.pivot.x() + body.radius - room.width);
-    angle = inside(angle, body.length, halfPi, body.radius - body.pivot.y());
-    angle = inside(angle, body.length, -halfPi, body.pivot.y() + body.radius - room.height);
-    const Eigen::Vector2d place =
-        body.pivot + body.length * Eigen::Vector2d(std::sin(angle), -std::cos(angle));
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(body.radius);
-    m_broadPhase.forEachNear({place - margin, place + margin}, [&](int other) {
-      if (other == index) return;
-      const Piece& piece = pieceAt(other, s);
-      const Eigen::Vector2d there = positionOf(m_bodies[other], piece.mode, piece.at(s));
-      angle = beside(angle, body.length, there - body.pivot, body.radius + m_bodies[other].radius);
-    });
-    if (angle == before) break;
-  }
-  return angle;
+  std::vector<Arc> arcs;
+  const auto add = [&arcs](const std::optional<Arc>& arc) {
+    if (arc) arcs.push_back(*arc);
+  };
+  add(blockedBy(0, body.radius - body.pivot.x(), body.length));
+  add(blockedBy(2 * halfPi, body.pivot.x() + body.radius - room.width, body.length));
+  add(blockedBy(halfPi, body.radius - body.pivot.y(), body.length));
+  add(blockedBy(-halfPi, body.pivot.y() + body.radius - room.height, body.length));
+  const Eigen::Vector2d place =
+      body.pivot + body.length * Eigen::Vector2d(std::sin(angle), -std::cos(angle));
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(body.radius + reach * body.length);
+  m_broadPhase.forEachNear({place - margin, place + margin}, [&](int other) {
+    if (other == index) return;
+    const Piece& piece = pieceAt(other, s);
+    const Eigen::Vector2d there = positionOf(m_bodies[other], piece.mode, piece.at(s));
+    add(blockedBy(there - body.pivot, body.radius + m_bodies[other].radius, body.length));
+  });
+  return outside(arcs, angle, reach);
 }
 
 void Engine::goTaut(const Upcoming& event) {
@@ -104,12 +124,10 @@ void Engine::goTaut(const Upcoming& event) {
   const double off = out.norm() - body.length;
   double placed = angle;
   if (off > kOffCircle * body.length) {
-    // Around the circle: the clear one may be told a whole turn away.
-    const double aside = std::remainder(clearAngle(i, s, angle) - angle, 2 * std::numbers::pi);
     // No farther than it moves in a step, or has moved to get there: all around may be something.
     const double farthest = std::max(kFarthestAside * std::sqrt(2 * body.length * off),
                                      velocity.norm() * m_solver.step);
-    if (std::abs(aside) * body.length <= farthest) placed = angle + aside;
+    placed = clearAngle(i, s, angle, farthest / body.length);
   }
   Entries after;
   after << placed, 0, velocity.dot(track) / body.length, 0, before[4];
