@@ -88,14 +88,13 @@ std::vector<int> Engine::wakeTouching() {
 void Engine::settle(double s, bool foresee) {
   m_solvedAt = s;
   const std::vector<int> members = wakeTouching();
+  m_settledCount = static_cast<int>(members.size());
+  m_fastestSettled = 0;
+  for (const int i : members) m_fastestSettled = std::max(m_fastestSettled, rateOf(i, s).norm());
   if (members.empty()) return;
   const double duration = boundaryAfter(s) - s;
   Group group(*this, s, duration, true);
   for (const int i : members) group.add(i);
-  m_settledCount = static_cast<int>(members.size());
-  m_fastestSettled = 0;
-  for (const RestingWeight& weight : group.weights)
-    m_fastestSettled = std::max(m_fastestSettled, weight.velocity.norm());
   // Those found within reach may be pushed as well, asleep or not, and need their contacts.
   int known = 0;
   const auto expand = [&] {
