@@ -157,7 +157,8 @@ class Engine {
   };
   void settle(double s, bool foresee);
   std::vector<int> wakeTouching();
-  void pull(Group& group, double s, double duration);
+  double findForces(Group& group, double s);
+  double pull(Group& group, double s);
   void warmStart(Group& group) const;
   void letGo(Group& group, double s);
   double endApproaches(Group& group) const;
@@ -165,7 +166,7 @@ class Engine {
   /// weight of a group moves with what a whole stretch of gravity gave it.
   double slowestHit() const;
   void carryImpulses(const Group& group);
-  void fallAsleep(const Group& group, double s, double duration);
+  void fallAsleep(const Group& group, double s);
   void goOnInGroup(const Group& group, double s, bool foresee);
   void hitGroup(int a, int b, double s, const Eigen::Vector2d& normal, double restitution,
                 const std::vector<int>& landing);

@@ -37,6 +37,17 @@ constexpr double kMostSkin = kSkin * kLoosest;  // [m]
 constexpr double kStillSpeed = 1e-3;
 constexpr double kStillTimes = 13;
 
+/// The velocity air alone leaves a weight after a while: v/(1 + q |v| t).
+Eigen::Vector2d slowedByAir(const Body& body, const Eigen::Vector2d& velocity, double duration) {
+  return velocity / (1 + body.drag * velocity.norm() * duration);
+}
+
+/// What that takes [J].
+double lostToAir(const Body& body, const Eigen::Vector2d& velocity, double duration) {
+  const Eigen::Vector2d slowed = slowedByAir(body, velocity, duration);
+  return 0.5 * body.mass * (velocity.squaredNorm() - slowed.squaredNorm());
+}
+
 }  // namespace
 
 double Engine::looseness() const {
@@ -87,14 +98,35 @@ std::vector<int> Engine::wakeTouching() {
 
 void Engine::settle(double s, bool foresee) {
   m_solvedAt = s;
-  const std::vector<int> members = wakeTouching();
+  std::vector<int> members = wakeTouching();
   m_settledCount = static_cast<int>(members.size());
   m_fastestSettled = 0;
   for (const int i : members) m_fastestSettled = std::max(m_fastestSettled, rateOf(i, s).norm());
   if (members.empty()) return;
-  const double duration = boundaryAfter(s) - s;
-  Group group(*this, s, duration, true);
-  for (const int i : members) group.add(i);
+  // A weight whose rope is nearly jammed: as in hitGroup().
+  for (const bool bends : {true, false}) {
+    Group group(*this, s, boundaryAfter(s) - s, true);
+    for (const int i : members) group.add(i);
+    if (!bends) group.straighten();
+    const double pulled = findForces(group, s);
+    const double lost = pushLoss(group.contacts, group.unkicked, group.weights);
+    if (bends && lost < -kBought * group.kineticEnergyBefore() - pulled) {
+      members = group.members;
+      continue;
+    }
+    letGo(group, s);
+    loseQuietly(s, std::max(0.0, pushLoss(group.contacts, group.unkicked, group.weights)),
+                std::max(0.0, dragLoss(group.contacts, group.unkicked, group.weights)));
+    loseQuietly(s, group.stopUnsolved(), 0);
+    carryImpulses(group);
+    fallAsleep(group, s);
+    return goOnInGroup(group, s, foresee);
+  }
+}
+
+/// Finds what keeps the members apart in the stretch.
+/// @return  the kinetic energy that gravity and air would give them, if they were at rest [J]
+double Engine::findForces(Group& group, double s) {
   // Those found within reach may be pushed as well, asleep or not, and need their contacts.
   int known = 0;
   const auto expand = [&] {
@@ -106,7 +138,7 @@ void Engine::settle(double s, bool foresee) {
     }
   };
   expand();
-  pull(group, s, duration);
+  const double pulled = pull(group, s);
   warmStart(group);
   const ContactGoal goal{std::clamp(kShare * m_fastestSettled, kFinest, kCoarsest * looseness()),
                          mostSweeps()};
@@ -115,26 +147,28 @@ void Engine::settle(double s, bool foresee) {
     expand();
     group.solve(goal);
   }
-  letGo(group, s);
-  loseQuietly(s, std::max(0.0, pushLoss(group.contacts, group.unkicked, group.weights)),
-              std::max(0.0, dragLoss(group.contacts, group.unkicked, group.weights)));
-  loseQuietly(s, group.stopUnsolved(), 0);
-  carryImpulses(group);
-  fallAsleep(group, s, duration);
-  goOnInGroup(group, s, foresee);
+  return pulled;
 }
 
 /// Gives the group what weight and air do in the stretch.
-void Engine::pull(Group& group, double s, double duration) {
+/// @return  the kinetic energy of that alone [J]
+double Engine::pull(Group& group, double s) {
+  double energy = 0;
   for (std::size_t k = 0; k < group.members.size(); ++k) {
     const Piece& piece = m_moving[group.members[k]].piece;
     const Body& body = m_bodies[group.members[k]];
-    const Entries state = piece.at(s);
+    RestingWeight& weight = group.weights[k];
+    const Entries state = withVelocity(group.members[k], piece.mode, piece.at(s), {0, 0});
     const Entries slope = m_stepper.slope(body, piece.mode, state);
-    group.weights[k].velocity +=
-        isTethered(piece.mode) ? Eigen::Vector2d(duration * body.length * slope[2] * trackOf(state))
-                               : Eigen::Vector2d(duration * slope[2], duration * slope[3]);
+    const Eigen::Vector2d fallen =
+        group.duration() * (isTethered(piece.mode)
+                                ? Eigen::Vector2d(body.length * slope[2] * trackOf(state))
+                                : Eigen::Vector2d(slope[2], slope[3]));
+    const Eigen::Vector2d slowed = slowedByAir(body, weight.velocity, group.duration());
+    energy += core::kineticEnergy({slowed + fallen - weight.velocity, body.mass});
+    weight.velocity = slowed + fallen;
   }
+  return energy;
 }
 
 /// Starts from the impulses of the stretch before: what lies goes on being pushed alike. What has
@@ -221,7 +255,7 @@ void Engine::carryImpulses(const Group& group) {
   m_now.contacts = std::move(carried);
 }
 
-void Engine::fallAsleep(const Group& group, double s, double duration) {
+void Engine::fallAsleep(const Group& group, double s) {
   std::vector<int> parent(group.members.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int k) {
@@ -238,7 +272,7 @@ void Engine::fallAsleep(const Group& group, double s, double duration) {
     const double gravity = m_scene->gravity;
     const bool still = group.weights[k].velocity.norm() <= kStillSpeed * std::sqrt(gravity * size);
     const bool leans = group.support[k] == Support::kOthers;
-    moving.stillFor = still && leans ? moving.stillFor + duration : 0;
+    moving.stillFor = still && leans ? moving.stillFor + group.duration() : 0;
     if (!(moving.stillFor * moving.stillFor * gravity > kStillTimes * kStillTimes * size))
       mayRest[root(k)] = 0;
   }
@@ -262,6 +296,7 @@ void Engine::goOnInGroup(const Group& group, double s, bool foresee) {
     if (m_moving[index].asleep) velocity.setZero();
     Entries after = withVelocity(index, piece.mode, before, velocity);
     if (lies) after[1] = m_bodies[index].radius;
+    if (stays) after[4] += lostToAir(m_bodies[index], group.unkicked[k], group.duration());
     goOn(index, s, before, lies ? Mode::kSlide : piece.mode, after, piece.tied, stays);
     if (m_diverged) return;
   }

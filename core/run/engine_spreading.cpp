@@ -13,8 +13,6 @@ namespace {
 constexpr double kHitGap = 3e-7;
 // Where that is soon, a hit still goes on until its changes are this slow [m/s].
 constexpr double kCoarsest = 1e-2;
-// What gaps that are widened may cost, as a share of the kinetic energy that was there.
-constexpr double kBought = 1e-2;
 
 }  // namespace
 

@@ -20,6 +20,10 @@ constexpr double kTouchingGap = 1e-9;
 /// more, and they are kept further apart: Engine::skin().
 constexpr double kSkin = 4e-6;
 
+/// What narrow gaps that are widened, and bends of circles, may cost at once, as a share of the
+/// kinetic energy that was there.
+constexpr double kBought = 1e-2;
+
 /// What pushes a weight of a group.
 enum class Support : char { kNone, kFloor, kOthers };
 
@@ -46,6 +50,7 @@ class Engine::Group {
   /// From now on circles are taken as straight lines, but by stopUnsolved().
   void straighten() { m_bends = false; }
   int size() const { return static_cast<int>(members.size()); }
+  double duration() const { return m_duration; }
   int localOf(int index) const { return m_engine.m_localOf[index]; }
   bool isExpanded(int local) const { return m_expanded[local]; }
 

@@ -45,7 +45,7 @@ Entries Stepper::slopeOn(const Body& body, const Piece& piece, const Entries& st
 }
 
 void Stepper::fill(const Body& body, Piece& piece) {
-  if (piece.settled) return fillSettled(body, piece);
+  if (piece.settled) return fillSettled(piece);
   piece.straight = m_method->path == PathShape::kStraight;
   piece.beginSlope = slope(body, piece.mode, piece.beginState);
   piece.endState = step(body, piece, piece.end - piece.begin);
@@ -59,12 +59,10 @@ Entries Stepper::pathEndSlope(const Body& body, const Piece& piece) {
       piece.beginState, piece.endState, piece.beginSlope, piece.end - piece.begin);
 }
 
-void Stepper::fillSettled(const Body& body, Piece& piece) {
-  const Eigen::Vector2d velocity = velocityOf(body, piece.mode, piece.beginState);
-  const double speed = velocity.norm();
+void Stepper::fillSettled(Piece& piece) {
+  // What air takes is taken where forces are found.
   piece.straight = true;
-  piece.beginSlope << piece.beginState[2], piece.beginState[3], 0, 0,
-      body.mass * body.drag * speed * speed * speed;
+  piece.beginSlope << piece.beginState[2], piece.beginState[3], 0, 0, 0;
   piece.endState = piece.beginState + (piece.end - piece.begin) * piece.beginSlope;
   piece.endSlope = piece.beginSlope;
 }

@@ -66,7 +66,7 @@ class Stepper {
   }
 
  private:
-  void fillSettled(const Body& body, Piece& piece);
+  static void fillSettled(Piece& piece);
   Entries step(const Body& body, const Piece& piece, double duration);
 
   const Method* m_method;
