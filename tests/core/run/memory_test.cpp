@@ -21,13 +21,19 @@ std::atomic<std::int64_t> bytesHeld = 0;
 // Each block begins with its size.
 constexpr std::size_t kHeader = 64;
 
-void* take(std::size_t size) {
+/// Null where there is no memory left.
+void* take(std::size_t size) noexcept {
   ++allocations;
   bytesHeld += static_cast<std::int64_t>(size);
   auto* block = static_cast<char*>(std::aligned_alloc(kHeader, (size / kHeader + 2) * kHeader));
-  if (block == nullptr) throw std::bad_alloc();
+  if (block == nullptr) return nullptr;
   *reinterpret_cast<std::size_t*>(block) = size;
   return block + kHeader;
+}
+
+void* takeOrThrow(std::size_t size) {
+  if (void* place = take(size)) return place;
+  throw std::bad_alloc();
 }
 
 void giveBack(void* place) {
@@ -40,9 +46,12 @@ void giveBack(void* place) {
 }  // namespace
 
 void* operator new(std::size_t size) {
-  return take(size);
+  return takeOrThrow(size);
 }
 void* operator new(std::size_t size, std::align_val_t) {
+  return takeOrThrow(size);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   return take(size);
 }
 void operator delete(void* place) noexcept {
